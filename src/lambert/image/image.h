@@ -1,0 +1,58 @@
+#pragma once
+#include "lambert/base/rgb.h"
+#include "lambert/base/vec.h"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lambert {
+
+/// Pixels as floats: rows from the top, channels interleaved, linear light, premultiplied alpha. Channels have EXR names
+/// ("R", "G", "B", "A", "Z", "albedo.R", "normal.X"), so that layers are just channels.
+class Image {
+ public:
+  Image() = default;
+  /// All zeros. Throws Error when the size is not positive or would not fit in memory (over 2^31 floats).
+  Image(int width, int height, std::vector<std::string> channels);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  std::size_t channel_count() const { return channels_.size(); }
+  const std::vector<std::string>& channels() const { return channels_; }
+  std::optional<std::size_t> channel(std::string_view name) const;
+  bool empty() const { return pixels_.empty(); }
+
+  float& at(int x, int y, std::size_t c) { return pixels_[index(x, y) + c]; }
+  float at(int x, int y, std::size_t c) const { return pixels_[index(x, y) + c]; }
+  /// The first three channels, or the first one thrice.
+  Rgb rgb(int x, int y) const;
+  void set_rgb(int x, int y, Rgb c);
+  std::span<float> pixels() { return pixels_; }
+  std::span<const float> pixels() const { return pixels_; }
+  std::span<float> row(int y) { return pixels().subspan(index(0, y), static_cast<std::size_t>(width_) * channel_count()); }
+  std::span<const float> row(int y) const {
+    return pixels().subspan(index(0, y), static_cast<std::size_t>(width_) * channel_count());
+  }
+
+  /// Text that travels with the image ("software", "seed"): EXR string attributes, PNG tEXt.
+  std::map<std::string, std::string> metadata;
+
+ private:
+  std::size_t index(int x, int y) const {
+    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)) * channels_.size();
+  }
+  int width_ = 0, height_ = 0;
+  std::vector<std::string> channels_;
+  std::vector<float> pixels_;
+};
+
+/// The usual names: {"R","G","B"} and with "A".
+std::vector<std::string> rgb_channels();
+std::vector<std::string> rgba_channels();
+
+}  // namespace lambert
