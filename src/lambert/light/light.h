@@ -1,0 +1,112 @@
+#pragma once
+/// Light sources. Each can be sampled from a point and knows the density with which it does so; densities are per solid
+/// angle at that point. Radiance in W/(m² sr).
+
+#include "lambert/base/bounds.h"
+#include "lambert/base/rgb.h"
+#include "lambert/base/transform.h"
+#include "lambert/base/vec.h"
+#include "lambert/geometry/shape.h"
+#include "lambert/texture/texture.h"
+
+#include <concepts>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <variant>
+
+namespace lambert {
+
+/// What a surface emits: `radiance` on the front (and back), uniform over directions.
+struct Emission {
+  RgbParameter radiance;
+  bool two_sided = false;
+  bool casts_light = true;  ///< false: seen by the camera and in mirrors only (unlit materials)
+};
+
+/// Light that arrives at a reference point.
+struct LightSample {
+  Vec3 wi{0, 0, 1};     ///< unit, towards the light
+  float distance = 0;   ///< to the light; infinity for directional and environment lights
+  Rgb radiance;         ///< incoming, unoccluded; for delta lights the irradiance on a facing surface
+  float pdf_omega = 0;  ///< 1 for delta lights
+  bool delta = false;   ///< cannot be hit by a sampled direction
+  Vec3 normal{0};       ///< of the light's surface, zero if it has none: shadow rays end just before it
+};
+
+/// The whole scene as lights see it.
+struct LightContext {
+  const TextureSet* textures = nullptr;
+  Bounds3 scene_bounds;
+};
+
+/// How a light's power spreads, for the light tree (Conty Estevez and Kulla 2018).
+struct LightBounds {
+  Bounds3 box;             ///< empty for lights at infinity
+  Vec3 axis{0, 0, 1};      ///< of the cone of normals
+  float cos_theta_o = -1;  ///< the normals' half angle
+  float cos_theta_e = 0;   ///< emission beyond the normals
+  float power = 0;         ///< luminance of the emitted power [W]
+};
+
+template <class T>
+concept LightModel = requires(const T& l, const LightContext& c, Vec3 p, Vec2 u) {
+  { l.sample(c, p, u) } -> std::same_as<std::optional<LightSample>>;  // none: nothing arrives
+  { l.bounds(c) } -> std::same_as<LightBounds>;
+};
+
+struct PointLight {
+  Vec3 position{0};
+  Rgb intensity{1.0f};  ///< W/sr
+  std::optional<LightSample> sample(const LightContext&, Vec3 p, Vec2 u) const;
+  LightBounds bounds(const LightContext&) const;
+};
+struct SpotLight {
+  Vec3 position{0}, direction{0, 0, -1};
+  Rgb intensity{1.0f};  ///< on the axis, W/sr
+  float cos_inner = 1, cos_outer = 0.7071f;
+  enum class Falloff : std::uint8_t {
+    gltf,
+    smoothstep
+  } falloff = Falloff::gltf;  ///< glTF's squared ramp, or pbrt's smoothstep
+  std::optional<LightSample> sample(const LightContext&, Vec3 p, Vec2 u) const;
+  LightBounds bounds(const LightContext&) const;
+};
+struct DirectionalLight {
+  Vec3 direction{0, -1, 0};  ///< in which the light travels, unit
+  Rgb irradiance{1.0f};      ///< on a facing surface, W/m²
+  std::optional<LightSample> sample(const LightContext&, Vec3 p, Vec2 u) const;
+  LightBounds bounds(const LightContext&) const;
+};
+
+/// One emitting triangle, sampled by solid angle where it is large and by area where it is small.
+struct TriangleLight {
+  std::array<Vec3, 3> p;
+  std::array<Vec2, 3> uv;
+  Emission emission;
+  std::optional<LightSample> sample(const LightContext&, Vec3 from, Vec2 u) const;
+  /// Density of sample() for the direction to `hit` on this light, seen from `from`.
+  float pdf_omega(Vec3 from, Vec3 hit) const;
+  LightBounds bounds(const LightContext&) const;
+};
+/// A parallelogram (two triangles of a mesh joined); rectangles are sampled by solid angle (Ureña et al. 2013).
+struct QuadLight {
+  Vec3 corner, edge_u, edge_v;  ///< normal along cross(edge_u, edge_v)
+  std::array<Vec2, 3> uv;       ///< at corner, corner + edge_u, corner + edge_v
+  Emission emission;
+  std::optional<LightSample> sample(const LightContext&, Vec3 from, Vec2 u) const;
+  float pdf_omega(Vec3 from, Vec3 hit) const;
+  LightBounds bounds(const LightContext&) const;
+};
+/// Any analytic shape under any affine map: by area, and full spheres under similarities by the cone they fill.
+struct ShapeLight {
+  std::shared_ptr<const Shape> shape;
+  Transform to_world;
+  bool reverse_orientation = false;
+  Emission emission;
+  std::optional<LightSample> sample(const LightContext&, Vec3 from, Vec2 u) const;
+  float pdf_omega(Vec3 from, Vec3 hit, Vec3 hit_normal) const;
+  LightBounds bounds(const LightContext&) const;
+};
+
+}  // namespace lambert
