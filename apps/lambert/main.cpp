@@ -1,1 +1,65 @@
-int main() {}
+#include "command.h"
+
+#include "lambert/base/error.h"
+#include "lambert/base/log.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <new>
+
+namespace {
+
+using namespace lambert;
+
+struct Entry {
+  CLI::App* app;
+  std::function<int()> run;
+};
+
+int run(int argc, char** argv) {
+  CLI::App app("Lambert: one scene, every way of making an image of it.", "lambert");
+  app.set_version_flag("--version", "lambert " LAMBERT_VERSION);
+  app.require_subcommand(1);
+  app.set_help_flag("-h,--help", "Explain the command and exit");
+  app.footer(
+      "'lambert COMMAND --help' explains a command. Try:\n"
+      "  lambert render                            the Cornell box, to out.png\n"
+      "  lambert render kitchen.glb                kitchen.png beside it\n"
+      "  lambert render box.pbrt -o box.exr --spp 256");
+
+  std::vector<Entry> entries;
+  const auto add = [&](const char* name, const char* summary, const cli::Command& command) {
+    CLI::App* sub = app.add_subcommand(name, summary);
+    entries.push_back({sub, command(*sub)});
+  };
+  add("render", "Make an image of a scene", cli::add_render);
+  add("info", "Say what is in a scene", cli::add_info);
+  add("methods", "List the methods of rendering and their settings", cli::add_methods);
+  add("completion", "Print a completion script for a shell", cli::add_completion);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    const int status = app.exit(e);
+    return status == 0 ? cli::done : cli::usage_error;
+  }
+  for (const Entry& e : entries)
+    if (e.app->parsed()) return e.run();
+  return cli::usage_error;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const Error& e) {
+    log::error(e.what());
+  } catch (const std::bad_alloc&) {
+    log::error("out of memory");
+  } catch (const std::exception& e) {
+    log::error(fmt::format("unexpected: {}", e.what()));
+  }
+  return cli::failed;
+}

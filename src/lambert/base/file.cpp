@@ -41,8 +41,8 @@ MappedFile::MappedFile(MappedFile&& other) noexcept
 
 void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
   // Same folder, so that the rename stays on one file system; same extension, since some writers choose by it.
-  const fs::path temporary =
-      path.parent_path() / ("." + path.stem().string() + "." + std::to_string(::getpid()) + ".tmp" + path.extension().string());
+  const fs::path temporary = path.parent_path() / ("." + path.stem().string() + "." + std::to_string(::getpid()) +
+                                                   ".tmp" + path.extension().string());
   std::error_code ignored;
   try {
     write(temporary);

@@ -27,7 +27,8 @@ class MappedFile {
 
 /// Writes `path` whole or not at all: `write` fills a temporary file beside it, which is then renamed over it. On an
 /// exception the temporary is removed and `path` is untouched. Throws Error naming `path` when it cannot be written.
-void write_atomically(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
+void write_atomically(const std::filesystem::path& path,
+                      const std::function<void(const std::filesystem::path&)>& write);
 void write_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_atomically(const std::filesystem::path& path, std::string_view text);
 

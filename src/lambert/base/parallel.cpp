@@ -21,9 +21,7 @@ void set_thread_count(std::size_t count) {
   limit() = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, count ? count : all);
 }
 
-std::size_t thread_count() {
-  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-}
+std::size_t thread_count() { return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism); }
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
   tbb::parallel_for(std::size_t{0}, count, body);

@@ -8,8 +8,8 @@ namespace lambert {
 void set_thread_count(std::size_t count);
 std::size_t thread_count();
 
-/// Calls body(i) once for every i in [0, count), on several threads, in any order; returns when all are done. An exception
-/// from a body ends the loop and is rethrown here. Bodies must not depend on each other.
+/// Calls body(i) once for every i in [0, count), on several threads, in any order; returns when all are done. An
+/// exception from a body ends the loop and is rethrown here. Bodies must not depend on each other.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
 
 }  // namespace lambert

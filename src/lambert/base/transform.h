@@ -23,9 +23,7 @@ class Transform {
   const Mat4& matrix() const { return m_; }
   const Mat4& inverse_matrix() const { return inverse_; }
   Transform inverse() const { return {inverse_, m_}; }
-  friend Transform operator*(const Transform& a, const Transform& b) {
-    return {a.m_ * b.m_, b.inverse_ * a.inverse_};
-  }
+  friend Transform operator*(const Transform& a, const Transform& b) { return {a.m_ * b.m_, b.inverse_ * a.inverse_}; }
   bool operator==(const Transform&) const = default;
 
   Vec3 point(Vec3 p) const { return Vec3(m_ * Vec4(p, 1)); }

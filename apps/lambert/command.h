@@ -1,0 +1,22 @@
+#pragma once
+/// What all subcommands share.
+
+#include <CLI/App.hpp>
+
+#include <functional>
+#include <vector>
+
+namespace lambert::cli {
+
+/// Exit statuses (docs/guide/command-line.md).
+inline constexpr int done = 0, failed = 1, usage_error = 2, interrupted = 130;
+
+/// Registers a subcommand; what it returns is run when the subcommand was given, and its result is the exit status.
+using Command = std::function<std::function<int()>(CLI::App& app)>;
+
+std::function<int()> add_render(CLI::App& app);
+std::function<int()> add_info(CLI::App& app);
+std::function<int()> add_methods(CLI::App& app);
+std::function<int()> add_completion(CLI::App& app);
+
+}  // namespace lambert::cli

@@ -1,0 +1,25 @@
+#pragma once
+#include "lambert/base/notes.h"
+#include "lambert/scene/scene_graph.h"
+
+#include <CLI/App.hpp>
+
+#include <string>
+
+namespace lambert::cli {
+
+/// Which scene, as every command that reads one takes it.
+struct SceneOptions {
+  std::string file;  ///< empty: the built-in Cornell box
+  float time = 0;
+  std::string variant;
+};
+void add_scene_options(CLI::App& app, SceneOptions& options);
+
+/// Reads the scene and adds what it lacks; what was ignored, approximated or added is in `notes`.
+SceneGraph load_scene(const SceneOptions& options, Notes& notes);
+
+/// One line a note on standard error.
+void print_notes(const Notes& notes);
+
+}  // namespace lambert::cli

@@ -1,0 +1,156 @@
+#include "lambert/render/film.h"
+
+#include "lambert/base/error.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace lambert {
+namespace {
+
+struct AovDescription {
+  Aov aov;
+  const char* name;
+  std::vector<std::string> channels;
+  bool needs_features;
+};
+
+const std::array<AovDescription, 7>& aov_table() {
+  static const std::array<AovDescription, 7> table{{
+      {Aov::albedo, "albedo", {"albedo.R", "albedo.G", "albedo.B"}, true},
+      {Aov::normal, "normal", {"normal.X", "normal.Y", "normal.Z"}, true},
+      {Aov::depth, "depth", {"Z"}, true},
+      {Aov::position, "position", {"position.X", "position.Y", "position.Z"}, true},
+      {Aov::object_id, "object-id", {"object.id"}, true},
+      {Aov::sample_count, "sample-count", {"samples.count"}, false},
+      {Aov::variance, "variance", {"variance.Y"}, false},
+  }};
+  return table;
+}
+
+const AovDescription& describe(Aov a) { return aov_table()[static_cast<std::size_t>(a)]; }
+
+}  // namespace
+
+Aov aov(std::string_view name) {
+  for (const AovDescription& d : aov_table())
+    if (name == d.name) return d.aov;
+  throw Error("unknown layer " + unknown_word(name, aov_names()));
+}
+
+std::vector<std::string> aov_names() {
+  std::vector<std::string> names;
+  for (const AovDescription& d : aov_table()) names.emplace_back(d.name);
+  return names;
+}
+
+Film::Film(Vec2i resolution, const PixelRect& crop, std::vector<Aov> aovs)
+    : resolution_(resolution), crop_(crop), aovs_(std::move(aovs)), pixels_(crop.area()) {
+  if (std::any_of(aovs_.begin(), aovs_.end(), [](Aov a) { return describe(a).needs_features; }))
+    features_.resize(crop.area());
+}
+
+void Film::add(Vec2i pixel, const FilmSample& sample) {
+  Pixel& p = pixels_[index(pixel)];
+  const double w = static_cast<double>(sample.weight);
+  p.r += w * static_cast<double>(sample.radiance.r);
+  p.g += w * static_cast<double>(sample.radiance.g);
+  p.b += w * static_cast<double>(sample.radiance.b);
+  p.weight += w;
+  const double y = w * static_cast<double>(luminance(sample.radiance));
+  p.luminance_squared += y * y;
+  ++p.count;
+
+  if (features_.empty() || sample.features.object == 0) return;
+  FeatureSums& f = features_[index(pixel)];
+  f.albedo += sample.features.albedo;
+  f.normal += sample.features.normal;
+  f.position += sample.features.position;
+  f.depth += sample.features.depth;
+  if (f.hits++ == 0) f.object = sample.features.object;
+}
+
+Rgb Film::mean(Vec2i pixel) const {
+  const Pixel& p = pixels_[index(pixel)];
+  // Weights have mean 1 but either sign: after few samples of a filter with negative lobes their sum may vanish.
+  if (p.count == 0 || !(p.weight > 0.1 * p.count)) return {};
+  return {static_cast<float>(p.r / p.weight), static_cast<float>(p.g / p.weight), static_cast<float>(p.b / p.weight)};
+}
+
+double Film::variance_of_mean(Vec2i pixel) const {
+  const Pixel& p = pixels_[index(pixel)];
+  if (p.count < 2) return std::numeric_limits<double>::infinity();
+  const double n = p.count, sum = 0.2126 * p.r + 0.7152 * p.g + 0.0722 * p.b;
+  return std::max(0.0, (p.luminance_squared - sum * sum / n) / (n * (n - 1)));
+}
+
+std::uint64_t Film::total_samples() const {
+  std::uint64_t total = 0;
+  for (const Pixel& p : pixels_) total += p.count;
+  return total;
+}
+
+Film Film::average(const Film& a, const Film& b) {
+  Film film(a.resolution_, a.crop_, a.aovs_);
+  for (std::size_t i = 0; i < film.pixels_.size(); ++i) {
+    const Pixel &pa = a.pixels_[i], &pb = b.pixels_[i];
+    Pixel& p = film.pixels_[i];
+    p.count = pa.count + pb.count;
+    p.weight = p.count;
+    // Sums as they would be if every sample of a half had that half's share, so that mean and variance read as usual.
+    const auto add_half = [&](const Pixel& half) {
+      if (!(half.weight > 0)) return;
+      const double scale = 0.5 * p.count / half.weight;
+      p.r += scale * half.r, p.g += scale * half.g, p.b += scale * half.b;
+      p.luminance_squared += scale * scale * half.luminance_squared;
+    };
+    add_half(pa), add_half(pb);
+    if (film.features_.empty()) continue;
+    const FeatureSums &fa = a.features_[i], &fb = b.features_[i];
+    film.features_[i] = {fa.albedo + fb.albedo, fa.normal + fb.normal, fa.position + fb.position,
+                         fa.depth + fb.depth,   fa.hits + fb.hits,     fa.hits ? fa.object : fb.object};
+  }
+  return film;
+}
+
+void Film::write_layer(Image& image, Aov layer, std::size_t c) const {
+  for (int y = crop_.min.y; y < crop_.max.y; ++y) {
+    for (int x = crop_.min.x; x < crop_.max.x; ++x) {
+      const Vec2i at(x, y), to = at - crop_.min;
+      const auto put = [&](std::size_t i, float v) { image.at(to.x, to.y, c + i) = v; };
+      if (layer == Aov::sample_count) put(0, static_cast<float>(sample_count(at)));
+      if (layer == Aov::variance) put(0, sample_count(at) < 2 ? 0 : static_cast<float>(variance_of_mean(at)));
+      if (!describe(layer).needs_features) continue;
+      const FeatureSums& f = features_[index(at)];
+      const float scale = f.hits ? 1.0f / static_cast<float>(f.hits) : 0.0f;
+      const float coverage = static_cast<float>(f.hits) / std::max(1.0f, static_cast<float>(sample_count(at)));
+      for (int i = 0; i < 3; ++i) {
+        const auto channel = static_cast<std::size_t>(i);
+        if (layer == Aov::albedo) put(channel, f.albedo[i] * scale * coverage);
+        if (layer == Aov::normal) put(channel, f.normal[i] * scale);
+        if (layer == Aov::position) put(channel, f.position[i] * scale);
+      }
+      if (layer == Aov::depth) put(0, f.depth * scale);
+      if (layer == Aov::object_id) put(0, static_cast<float>(f.object));
+    }
+  }
+}
+
+Image Film::develop() const {
+  std::vector<std::string> channels = rgb_channels();
+  for (Aov a : aovs_) channels.insert(channels.end(), describe(a).channels.begin(), describe(a).channels.end());
+  Image image(crop_.size().x, crop_.size().y, std::move(channels));
+  for (int y = crop_.min.y; y < crop_.max.y; ++y)
+    for (int x = crop_.min.x; x < crop_.max.x; ++x) image.set_rgb(x - crop_.min.x, y - crop_.min.y, mean({x, y}));
+  std::size_t channel = 3;
+  for (Aov a : aovs_) {
+    write_layer(image, a, channel);
+    channel += describe(a).channels.size();
+  }
+  return image;
+}
+
+}  // namespace lambert

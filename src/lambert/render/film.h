@@ -1,0 +1,93 @@
+#pragma once
+#include "lambert/base/rgb.h"
+#include "lambert/base/vec.h"
+#include "lambert/image/image.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lambert {
+
+/// A rectangle of pixels: min inclusive, max exclusive.
+struct PixelRect {
+  Vec2i min{0}, max{0};
+  Vec2i size() const { return max - min; }
+  std::size_t area() const { return static_cast<std::size_t>(size().x) * static_cast<std::size_t>(size().y); }
+  bool operator==(const PixelRect&) const = default;
+};
+
+/// What a film keeps beside radiance.
+enum class Aov : std::uint8_t { albedo, normal, depth, position, object_id, sample_count, variance };
+Aov aov(std::string_view name);  ///< throws Error for an unknown name
+std::vector<std::string> aov_names();
+
+/// The first surface that a camera ray meets.
+struct Features {
+  Rgb albedo;
+  Vec3 normal{0};
+  Vec3 position{0};
+  float depth = 0;           ///< along the camera's axis; 0 where nothing is hit
+  std::uint32_t object = 0;  ///< 1 + index of the object; 0 where nothing is hit
+};
+
+/// One sample of one pixel, with the weight of the pixel filter.
+struct FilmSample {
+  Rgb radiance;
+  float weight = 1;
+  Features features;
+};
+
+/// Sums of samples per pixel, in double and in the order of the samples, so that the result does not depend on how they
+/// were cut into passes.
+class Film {
+ public:
+  /// `resolution` is that of the whole image, `crop` the part that is kept.
+  Film(Vec2i resolution, const PixelRect& crop, std::vector<Aov> aovs);
+
+  Vec2i resolution() const { return resolution_; }
+  const PixelRect& crop() const { return crop_; }
+  bool keeps_features() const { return !features_.empty(); }
+
+  /// Not thread-safe for one pixel; different pixels may be added to from different threads.
+  void add(Vec2i pixel, const FilmSample& sample);
+  std::uint32_t sample_count(Vec2i pixel) const { return pixels_[index(pixel)].count; }
+  Rgb mean(Vec2i pixel) const;
+  /// Of the mean's luminance, from the spread of the samples; infinite for fewer than 2.
+  double variance_of_mean(Vec2i pixel) const;
+  std::uint64_t total_samples() const;
+
+  /// The mean of two films of the same size, half each, whatever their sample counts.
+  static Film average(const Film& a, const Film& b);
+
+  /// R, G, B and the layers asked for, cropped; black where nothing was sampled.
+  Image develop() const;
+
+ private:
+  struct Pixel {
+    double r = 0, g = 0, b = 0;
+    double weight = 0;
+    double luminance_squared = 0;  // of weighted samples
+    std::uint32_t count = 0;
+  };
+  struct FeatureSums {
+    Rgb albedo;
+    Vec3 normal{0}, position{0};
+    float depth = 0;
+    std::uint32_t hits = 0, object = 0;
+  };
+  std::size_t index(Vec2i p) const {
+    const auto width = static_cast<std::size_t>(crop_.size().x);
+    return static_cast<std::size_t>(p.y - crop_.min.y) * width + static_cast<std::size_t>(p.x - crop_.min.x);
+  }
+  void write_layer(Image& image, Aov layer, std::size_t first_channel) const;
+
+  Vec2i resolution_;
+  PixelRect crop_;
+  std::vector<Aov> aovs_;
+  std::vector<Pixel> pixels_;
+  std::vector<FeatureSums> features_;
+};
+
+}  // namespace lambert

@@ -1,0 +1,24 @@
+#include "lambert/render/path/path_method.h"
+
+#include "lambert/render/path/path_tracer.h"
+
+namespace lambert {
+
+MethodInfo PathMethod::info() const {
+  return {"path", "path tracing with next-event estimation and multiple importance sampling", "L(S|D)*E", true};
+}
+
+SettingTable PathMethod::settings() {
+  return SettingTable({
+      {"max-depth", "most scattering events of a path; 0: emission alone, 1: direct light", &settings_.max_depth},
+      {"roulette-depth", "scattering events before Russian roulette may end a path", &settings_.roulette_depth},
+      {"clamp", "largest component of a contribution after the first bounce; 0: off (clamping biases)",
+       &settings_.clamp},
+  });
+}
+
+Method::Estimate PathMethod::radiance(const CameraRay& ray, Sampler& sampler, bool want_features) const {
+  return trace_path(*scene_, settings_, ray, sampler, want_features);
+}
+
+}  // namespace lambert

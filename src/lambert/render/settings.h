@@ -1,0 +1,35 @@
+#pragma once
+/// Settings of methods by name, as `--set key=value` and the browser view give them.
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace lambert {
+
+/// One named setting bound to a member of a settings struct that outlives it.
+struct Setting {
+  std::string key;
+  std::string help;
+  std::variant<int*, float*, bool*, std::string*> target;
+  std::vector<std::string> choices = {};  ///< allowed words; empty: any
+};
+
+/// The settings of one method.
+class SettingTable {
+ public:
+  explicit SettingTable(std::vector<Setting> settings) : settings_(std::move(settings)) {}
+  /// Throws Error naming the key, the value and what was expected.
+  void set(std::string_view key, std::string_view value);
+  const std::vector<Setting>& settings() const { return settings_; }
+
+ private:
+  std::vector<Setting> settings_;
+};
+
+/// The present value as text.
+std::string to_string(const Setting& s);
+
+}  // namespace lambert
