@@ -17,11 +17,11 @@ enum class Transport : std::uint8_t { radiance, importance };
 
 struct BsdfSample {
   Vec3 wi{0, 0, 1};
-  Rgb weight;               ///< f |cos θi| / pdf of the chosen lobe or of all lobes; unbiased either way
-  float pdf = 0;            ///< pdf_omega of wi over all lobes [1/sr]; meaningless when specular
-  float eta = 1;            ///< relative index of refraction passed through: η of wi's side over η of wo's side
-  bool specular = false;    ///< from a Dirac lobe: eval and pdf of (wo, wi) are 0
-  bool transmitted = false; ///< wi lies on the other side
+  Rgb weight;                ///< f |cos θi| / pdf of the chosen lobe or of all lobes; unbiased either way
+  float pdf = 0;             ///< pdf_omega of wi over all lobes [1/sr]; meaningless when specular
+  float eta = 1;             ///< relative index of refraction passed through: η of wi's side over η of wo's side
+  bool specular = false;     ///< from a Dirac lobe: eval and pdf of (wo, wi) are 0
+  bool transmitted = false;  ///< wi lies on the other side
 };
 
 /// What every model offers. `eval` is f(wo, wi) |cos θi| [1/sr]; `pdf` the density of sample() in solid angle [1/sr];

@@ -12,7 +12,8 @@
 
 namespace lambert {
 
-/// Pixels as floats: rows from the top, channels interleaved, linear light, premultiplied alpha. Channels have EXR names
+/// Pixels as floats: rows from the top, channels interleaved, linear light, premultiplied alpha. Channels have EXR
+/// names
 /// ("R", "G", "B", "A", "Z", "albedo.R", "normal.X"), so that layers are just channels.
 class Image {
  public:
@@ -34,7 +35,9 @@ class Image {
   void set_rgb(int x, int y, Rgb c);
   std::span<float> pixels() { return pixels_; }
   std::span<const float> pixels() const { return pixels_; }
-  std::span<float> row(int y) { return pixels().subspan(index(0, y), static_cast<std::size_t>(width_) * channel_count()); }
+  std::span<float> row(int y) {
+    return pixels().subspan(index(0, y), static_cast<std::size_t>(width_) * channel_count());
+  }
   std::span<const float> row(int y) const {
     return pixels().subspan(index(0, y), static_cast<std::size_t>(width_) * channel_count());
   }
@@ -44,7 +47,8 @@ class Image {
 
  private:
   std::size_t index(int x, int y) const {
-    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)) * channels_.size();
+    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)) *
+           channels_.size();
   }
   int width_ = 0, height_ = 0;
   std::vector<std::string> channels_;

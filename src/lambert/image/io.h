@@ -1,6 +1,6 @@
 #pragma once
-/// Image files. Radiance formats (.exr .hdr .pfm) hold linear light; display formats (.png .jpg .tif .webp) hold sRGB with
-/// straight alpha and are converted on the way in and out.
+/// Image files. Radiance formats (.exr .hdr .pfm) hold linear light; display formats (.png .jpg .tif .webp) hold sRGB
+/// with straight alpha and are converted on the way in and out.
 
 #include "lambert/image/image.h"
 
@@ -16,8 +16,9 @@ namespace lambert {
 /// Reads any known format; its kind is found by its first bytes, not by its name. Throws Error naming file and offset.
 Image read_image(const std::filesystem::path& path);
 
-/// Writes by extension, whole or not at all. Display formats clip to [0,1] after the sRGB curve; `.exr` keeps all channels,
-/// half floats for colour and full floats for Z, position, ids and counts; `.tif` is 16 bit. Throws Error naming the path.
+/// Writes by extension, whole or not at all. Display formats clip to [0,1] after the sRGB curve; `.exr` keeps all
+/// channels, half floats for colour and full floats for Z, position, ids and counts; `.tif` is 16 bit. Throws Error
+/// naming the path.
 void write_image(const std::filesystem::path& path, const Image& image);
 
 /// True for formats that hold unbounded linear light. Throws Error with the known extensions for an unknown one.

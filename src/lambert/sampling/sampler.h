@@ -1,6 +1,6 @@
 #pragma once
-/// Points for Monte Carlo integration, keyed by pixel, sample, dimension and seed: the same key gives the same number on
-/// any thread and in any order of work.
+/// Points for Monte Carlo integration, keyed by pixel, sample, dimension and seed: the same key gives the same number
+/// on any thread and in any order of work.
 
 #include "lambert/base/vec.h"
 

@@ -10,9 +10,9 @@ namespace lambert {
 enum class Wrap : std::uint8_t { repeat, mirror, clamp, black };
 enum class TextureFilter : std::uint8_t { nearest, bilinear, trilinear };
 
-/// An image at full and at halved sizes (odd sizes too). 8-bit images keep 8 bits per channel at level 0 and above; sRGB is
-/// decoded at lookup and averaged in linear light. (u, v) = (0, 0) is the top left corner of the top left texel; texel
-/// centres lie at (i + 1/2) / size.
+/// An image at full and at halved sizes (odd sizes too). 8-bit images keep 8 bits per channel at level 0 and above;
+/// sRGB is decoded at lookup and averaged in linear light. (u, v) = (0, 0) is the top left corner of the top left
+/// texel; texel centres lie at (i + 1/2) / size.
 class MipMap {
  public:
   struct Settings {
@@ -22,7 +22,8 @@ class MipMap {
   };
   MipMap(Texels texels, const Settings& settings);
 
-  /// RGBA; one channel is spread to RGB, two are grey and alpha, missing alpha is 1. `width` is the filter's width in uv.
+  /// RGBA; one channel is spread to RGB, two are grey and alpha, missing alpha is 1. `width` is the filter's width in
+  /// uv.
   Vec4 lookup(Vec2 uv, float width = 0) const;
   int width() const;
   int height() const;

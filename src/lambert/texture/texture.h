@@ -18,9 +18,9 @@ inline constexpr TextureId no_texture = ~TextureId{0};
 /// Where a texture is looked up.
 struct TextureCoordinates {
   Vec2 uv{0};
-  Vec2 uv1{0};              ///< second set (glTF TEXCOORD_1)
-  float footprint = 0;      ///< width of the filter in uv units; 0 means a point
-  Vec3 position{0};         ///< world
+  Vec2 uv1{0};          ///< second set (glTF TEXCOORD_1)
+  float footprint = 0;  ///< width of the filter in uv units; 0 means a point
+  Vec3 position{0};     ///< world
 };
 
 /// uv' = matrix * (u, v, 1); which set of coordinates it reads.
