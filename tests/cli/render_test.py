@@ -1,0 +1,102 @@
+import signal
+import subprocess
+import time
+
+from command_line import CommandLineTest, PROGRAM, main
+
+SMALL = ["--resolution", "32x32", "--spp", "4"]
+
+
+class Render(CommandLineTest):
+    def test_no_argument_renders_the_cornell_box(self):
+        done = self.lambert("render", *SMALL)
+        self.assertEqual(self.files(), ["out.png"])
+        self.assertEqual(done.stdout.strip(), str(self.folder / "out.png"))
+
+    def test_every_output_format(self):
+        names = ["a.exr", "a.hdr", "a.pfm", "a.png", "a.jpg", "a.tif"]
+        self.lambert("render", *SMALL, *[w for n in names for w in ("-o", n)])
+        self.assertEqual(self.files(), sorted(names))
+
+    def test_statistics(self):
+        self.lambert("render", *SMALL, "--stats", "s.json")
+        stats = self.json("s.json")
+        self.assertEqual(stats["samples"], 32 * 32 * 4)
+        self.assertGreater(stats["rays"], stats["samples"])
+
+    def test_same_seed_same_file(self):
+        self.lambert("render", *SMALL, "--threads", 1, "-o", "a.exr")
+        self.lambert("render", *SMALL, "--threads", 2, "-o", "b.exr")
+        self.assertEqual((self.folder / "a.exr").read_bytes(), (self.folder / "b.exr").read_bytes())
+
+    def test_progress_for_machines(self):
+        done = self.lambert("render", *SMALL, "--progress", "ndjson")
+        import json
+        lines = [json.loads(line) for line in done.stderr.splitlines()]
+        self.assertEqual(lines[-1]["fraction"], 1)
+
+    def test_interrupt_saves_and_says_130(self):
+        process = subprocess.Popen([PROGRAM, "render", "--spp", "1000000", "--resolution", "64x64", "-o", "i.exr"], cwd=self.folder,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(1)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=30)
+        self.assertEqual(process.returncode, 130)
+        self.assertEqual(self.files(), ["i.exr"])
+
+    def test_time_limit(self):
+        start = time.monotonic()
+        self.lambert("render", "--time-limit", "0.5", "--resolution", "64x64")
+        self.assertLess(time.monotonic() - start, 20)
+
+
+class Mistakes(CommandLineTest):
+    def expect(self, words, *arguments, status=1):
+        done = self.lambert(*arguments, status=status)
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertEqual(self.files(), [])
+
+    def test_unknown_words_name_the_known_ones(self):
+        self.expect(["'pth'", "did you mean 'path'"], "render", "--method", "pth")
+        self.expect(["max-dept", "max-depth"], "render", "--set", "max-dept=3")
+        self.expect(["sobl", "sobol"], "render", "--sampler", "sobl")
+        self.expect(["bix", "box"], "render", "--filter", "bix")
+        self.expect(["albdo", "albedo"], "render", "--aov", "albdo")
+        self.expect([".xyz", ".exr"], "render", "-o", "a.xyz")
+        self.expect(["nowhere"], "render", "-o", "nowhere/a.png")
+
+    def test_wrong_numbers(self):
+        self.expect(["--resolution", "32y32"], "render", "--resolution", "32y32")
+        self.expect(["--crop"], "render", "--crop", "1,2,3")
+        self.expect(["crop"], "render", "--resolution", "8x8", "--crop", "0,0,9,9")
+        self.expect(["--spp"], "render", "--spp", "0")
+        self.expect(["max-depth", "whole number"], "render", "--set", "max-depth=three")
+
+    def test_missing_file(self):
+        self.expect(["missing.glb"], "render", "missing.glb")
+
+    def test_usage_errors_are_2(self):
+        self.expect(["--no-such-flag"], "render", "--no-such-flag", status=2)
+        self.expect([], "no-such-command", status=2)
+
+
+class Words(CommandLineTest):
+    def test_help_version_methods_completion(self):
+        self.assertIn("--target-error", self.lambert("render", "--help").stdout)
+        self.assertRegex(self.lambert("--version").stdout, r"^lambert \d+\.\d+\.\d+\n$")
+        self.assertIn("max-depth", self.lambert("methods").stdout)
+        for shell in ("bash", "zsh", "fish"):
+            self.assertIn("render", self.lambert("completion", shell).stdout)
+        self.assertIn("spp", self.lambert("completion", "fish").stdout)
+
+    def test_bash_completion_is_valid(self):
+        script = self.lambert("completion", "bash").stdout
+        subprocess.run(["bash", "-n"], input=script, text=True, check=True)
+
+    def test_info(self):
+        self.assertIn("triangles", self.lambert("info").stdout)
+
+
+if __name__ == "__main__":
+    main()
