@@ -25,6 +25,10 @@ if(LAMBERT_SANITIZE)
   target_link_options(lambert_options INTERFACE -fsanitize=${LAMBERT_SANITIZE})
 endif()
 
+if(LAMBERT_FUZZ)
+  target_compile_options(lambert_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})

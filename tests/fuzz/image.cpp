@@ -1,0 +1,18 @@
+#include "lambert/base/error.h"
+#include "lambert/image/io.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+/// Whatever the bytes are, the reader returns or throws Error.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace lambert;
+  const auto bytes = std::as_bytes(std::span(data, size));
+  try {
+    decode_texels(bytes, "fuzz.image");
+  } catch (const Error&) {
+    return 0;
+  }
+  return 0;
+}
