@@ -53,6 +53,8 @@ struct Camera {
 
   /// The ray through film point (x, y); `u_lens` picks the point on the lens, `u_time` the moment.
   CameraRay ray(Vec2 film, Vec2 u_lens = Vec2(0.5f), float u_time = 0) const;
+  /// How far the point at `t` of a camera ray lies along the camera's axis; along the ray for panoramas.
+  float axis_depth(const Ray& ray, float t) const;
   /// The same view at another resolution: a perspective or orthographic image keeps its vertical extent.
   Camera with_resolution(Vec2i r) const;
 };
