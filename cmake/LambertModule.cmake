@@ -38,7 +38,7 @@ function(lambert_module name)
 
   set_property(GLOBAL APPEND PROPERTY LAMBERT_TESTS_SEEN ${tests})
   if(LAMBERT_TESTS AND tests)
-    lambert_test(lambert_${name}_test ${tests} LIBRARIES lambert_${name} ${arg_LIBRARIES})
+    lambert_test(lambert_${name}_test ${tests} LIBRARIES lambert_${name} lambert_statistics ${arg_LIBRARIES})
   endif()
 endfunction()
 
