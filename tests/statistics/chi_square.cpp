@@ -39,7 +39,7 @@ TestResult judged(double p_value, double statistic, int degrees, int tests) {
   std::ostringstream text;
   text << "p = " << p_value << " (level " << sidak(significance, tests) << "), statistic " << statistic << ", "
        << degrees << " degrees of freedom";
-  r.explanation = text.str();
+  r.message = text.str();
   return r;
 }
 
@@ -75,7 +75,7 @@ TestResult chi_square(std::span<const double> observed, std::span<const double> 
     // Nothing expected: a thousandth of the samples there is an error of the density, less is that of its integral.
     if (expected[i] <= 0 && observed[i] > 1e-3 * total) {
       TestResult r = judged(0, observed[i], 1, tests);
-      r.explanation =
+      r.message =
           "cell " + std::to_string(i) + " has " + std::to_string(observed[i]) + " samples where none can be";
       return r;
     }
@@ -120,7 +120,7 @@ TestResult chi_square_sphere(const std::function<std::optional<Vec3>(Vec2, float
     }
   expected[cells] = std::max(0.0, 1 - total) * s.samples;
   TestResult r = chi_square(observed, expected, s.tests);
-  r.explanation += ", density integrates to " + std::to_string(total);
+  r.message += ", density integrates to " + std::to_string(total);
   return r;
 }
 

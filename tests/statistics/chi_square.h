@@ -21,7 +21,7 @@ struct TestResult {
   double statistic = 0;
   int degrees_of_freedom = 0;
   bool passed = false;
-  std::string explanation;  ///< for failure messages
+  std::string message;  ///< for failure messages
   explicit operator bool() const { return passed; }
 };
 
