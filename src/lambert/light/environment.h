@@ -3,13 +3,17 @@
 #include "lambert/image/image.h"
 #include "lambert/light/light.h"
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace lambert {
 
+class EnvironmentMap;
+
 /// How directions index an environment image.
 enum class EnvironmentMapping : std::uint8_t {
-  lat_long,    ///< row 0 is +y, the centre column is -z (before `to_world`)
+  lat_long,    ///< row 0 is +y, the centre column is -z (before `to_world`), columns go from there towards +x
   equal_area,  ///< pbrt-v4's equal-area octahedral square (Clarberg 2008), +z up
 };
 
@@ -17,6 +21,8 @@ enum class EnvironmentMapping : std::uint8_t {
 class EnvironmentLight {
  public:
   explicit EnvironmentLight(Rgb constant);
+  /// Of `to_world` the rotation (and mirroring) matters. Throws Error when the image is empty, holds a value that is
+  /// not finite, or is not square where the mapping wants that; negative values count as 0.
   EnvironmentLight(Image image, EnvironmentMapping mapping, Rgb scale, const Transform& to_world);
 
   Rgb radiance(Vec3 direction) const;  ///< that arrives from unit world `direction` (pointing away from the scene)
@@ -25,8 +31,7 @@ class EnvironmentLight {
   LightBounds bounds(const LightContext&) const;
 
  private:
-  struct Map;
-  std::shared_ptr<const Map> map_;
+  std::shared_ptr<const EnvironmentMap> map_;  // none: constant
   Rgb scale_{1.0f};
   Transform to_world_;
 };

@@ -9,13 +9,15 @@
 #include "lambert/geometry/shape.h"
 #include "lambert/texture/texture.h"
 
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <variant>
 
 namespace lambert {
+
+class ProjectedRectangle;
 
 /// What a surface emits: `radiance` on the front (and back), uniform over directions.
 struct Emission {
@@ -36,7 +38,7 @@ struct LightSample {
 
 /// The whole scene as lights see it.
 struct LightContext {
-  const TextureSet* textures = nullptr;
+  const TextureSet* textures = nullptr;  ///< may be null when no emission is textured
   Bounds3 scene_bounds;
 };
 
@@ -47,6 +49,8 @@ struct LightBounds {
   float cos_theta_o = -1;  ///< the normals' half angle
   float cos_theta_e = 0;   ///< emission beyond the normals
   float power = 0;         ///< luminance of the emitted power [W]
+  float intensity = 0;     ///< luminance of the largest radiant intensity [W/sr]; 0 for lights at infinity
+  bool two_sided = false;  ///< emits around -axis as well
 };
 
 template <class T>
@@ -61,17 +65,19 @@ struct PointLight {
   std::optional<LightSample> sample(const LightContext&, Vec3 p, Vec2 u) const;
   LightBounds bounds(const LightContext&) const;
 };
+
 struct SpotLight {
+  /// glTF's squared ramp (KHR_lights_punctual), or pbrt's smoothstep.
+  enum class Falloff : std::uint8_t { gltf, smoothstep };
+
   Vec3 position{0}, direction{0, 0, -1};
   Rgb intensity{1.0f};  ///< on the axis, W/sr
   float cos_inner = 1, cos_outer = 0.7071f;
-  enum class Falloff : std::uint8_t {
-    gltf,
-    smoothstep
-  } falloff = Falloff::gltf;  ///< glTF's squared ramp, or pbrt's smoothstep
+  Falloff falloff = Falloff::gltf;
   std::optional<LightSample> sample(const LightContext&, Vec3 p, Vec2 u) const;
   LightBounds bounds(const LightContext&) const;
 };
+
 struct DirectionalLight {
   Vec3 direction{0, -1, 0};  ///< in which the light travels, unit
   Rgb irradiance{1.0f};      ///< on a facing surface, W/m²
@@ -89,15 +95,34 @@ struct TriangleLight {
   float pdf_omega(Vec3 from, Vec3 hit) const;
   LightBounds bounds(const LightContext&) const;
 };
-/// A parallelogram (two triangles of a mesh joined); rectangles are sampled by solid angle (Ureña et al. 2013).
-struct QuadLight {
-  Vec3 corner, edge_u, edge_v;  ///< normal along cross(edge_u, edge_v)
-  std::array<Vec2, 3> uv;       ///< at corner, corner + edge_u, corner + edge_v
-  Emission emission;
+
+/// A parallelogram (two triangles of a mesh joined); rectangles are sampled by solid angle (Ureña et al. 2013) unless
+/// they look tiny, others by area. What sampling needs of the shape is computed once.
+class QuadLight {
+ public:
+  /// Normal along cross(edge_u, edge_v). `uv` at corner, corner + edge_u and corner + edge_v.
+  QuadLight(Vec3 corner, Vec3 edge_u, Vec3 edge_v, const std::array<Vec2, 3>& uv, Emission emission);
+
   std::optional<LightSample> sample(const LightContext&, Vec3 from, Vec2 u) const;
+  /// Density of sample() for the direction to `hit` on this light, seen from `from`.
   float pdf_omega(Vec3 from, Vec3 hit) const;
   LightBounds bounds(const LightContext&) const;
+  const Emission& emission() const { return emission_; }
+  Vec3 corner() const { return corner_; }
+  Vec3 edge_u() const { return edge_u_; }
+  Vec3 edge_v() const { return edge_v_; }
+
+ private:
+  std::optional<ProjectedRectangle> spherical_view(Vec3 to_corner, float height) const;
+
+  Vec3 corner_, edge_u_, edge_v_;
+  Vec3 axis_u_, axis_v_, normal_;  // of unit length
+  float length_u_, length_v_, area_;
+  float least_height_;  // nearer to the plane the area is sampled; infinite when this is no rectangle
+  std::array<Vec2, 3> uv_;
+  Emission emission_;
 };
+
 /// Any analytic shape under any affine map: by area, and full spheres under similarities by the cone they fill.
 struct ShapeLight {
   std::shared_ptr<const Shape> shape;
@@ -105,6 +130,8 @@ struct ShapeLight {
   bool reverse_orientation = false;
   Emission emission;
   std::optional<LightSample> sample(const LightContext&, Vec3 from, Vec2 u) const;
+  /// Density of sample() for the direction to `hit` on this light; `hit_normal` is the surface's unit normal there (its
+  /// sign does not matter).
   float pdf_omega(Vec3 from, Vec3 hit, Vec3 hit_normal) const;
   LightBounds bounds(const LightContext&) const;
 };

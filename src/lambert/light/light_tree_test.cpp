@@ -1,0 +1,103 @@
+#include "lambert/light/light_tree.h"
+
+#include "lambert/light/light_test_tools.h"
+#include "lambert/light/many_lights.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace lambert {
+namespace {
+
+struct Scene {
+  explicit Scene(int count) : lights(many_lights(count)) {
+    for (const Light& l : lights) bounds.push_back(light_bounds(l, {}));
+    std::vector<std::uint32_t> all(lights.size());
+    std::iota(all.begin(), all.end(), 0u);
+    tree = LightTree(bounds, std::move(all));
+  }
+  std::vector<Light> lights;
+  std::vector<LightBounds> bounds;
+  LightTree tree;
+};
+
+struct Place {
+  Vec3 point, normal;
+};
+std::vector<Place> places(int count) {
+  TestNumbers r(11);
+  std::vector<Place> list;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 point = 12.0f * r.next_in_cube();
+    list.push_back({point, r.next_direction()});
+  }
+  return list;
+}
+
+double sum_of_probabilities(const Scene& scene, const Place& place) {
+  double sum = 0;
+  for (std::uint32_t l = 0; l < scene.lights.size(); ++l) {
+    sum += static_cast<double>(scene.tree.probability(place.point, place.normal, l));
+  }
+  return sum;
+}
+
+// A branch both of whose sides are unimportant swallows its share, so the sum may fall short of 1, but never exceeds
+// it.
+TEST(LightTree, ProbabilitiesAddUpToOne) {
+  for (const int count : {2, 3, 17, 400}) {
+    const Scene scene(count);
+    int complete = 0;
+    for (const Place& place : places(200)) {
+      const double sum = sum_of_probabilities(scene, place);
+      EXPECT_LT(sum, 1 + 1e-5);
+      if (sum > 1 - 1e-5) ++complete;
+    }
+    EXPECT_GE(complete, count < 10 ? 100 : 160) << count;
+  }
+}
+
+TEST(LightTree, ReportsTheProbabilityWithWhichItChooses) {
+  const Scene scene(300);
+  for (const Place& place : places(50)) {
+    for (int i = 0; i < 100; ++i) {
+      const auto c = scene.tree.choose(place.point, place.normal, (static_cast<float>(i) + 0.5f) / 100);
+      if (c.probability > 0) {
+        EXPECT_EQ(c.probability, scene.tree.probability(place.point, place.normal, c.light));
+      }
+    }
+  }
+}
+
+TEST(LightTree, ALightThatContributesHasAChance) {
+  const Scene scene(200);
+  for (const Place& place : places(300)) {
+    for (std::uint32_t l = 0; l < scene.lights.size(); ++l) {
+      const auto s = sample_light(scene.lights[l], {}, place.point, Vec2(0.4f, 0.6f));
+      const float cos = s ? std::abs(dot(s->wi, place.normal)) : 0;
+      if (cos > 1e-3f) {
+        EXPECT_GT(scene.tree.probability(place.point, place.normal, l), 0) << l;
+      }
+    }
+  }
+}
+
+TEST(LightTree, LeavesOutLightsThatEmitNothing) {
+  std::vector<LightBounds> bounds{light_bounds(PointLight{{}, Rgb(0)}, {}), light_bounds(PointLight{{}, Rgb(1)}, {})};
+  const LightTree tree(bounds, {0, 1});
+  EXPECT_EQ(tree.probability({1, 0, 0}, Vec3(0), 0), 0);
+  EXPECT_EQ(tree.probability({1, 0, 0}, Vec3(0), 1), 1);
+  EXPECT_TRUE(LightTree({bounds.data(), 1}, {0}).empty());
+}
+
+TEST(LightTree, TakesManyLightsInOnePlace) {
+  const std::vector<LightBounds> bounds(1000, light_bounds(PointLight{}, {}));
+  std::vector<std::uint32_t> all(bounds.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const LightTree tree(bounds, all);
+  EXPECT_NEAR(tree.probability({1, 2, 3}, {0, 1, 0}, 999), 1e-3f, 5e-4f);
+}
+
+}  // namespace
+}  // namespace lambert

@@ -1,0 +1,91 @@
+#include "lambert/light/emission.h"
+#include "lambert/light/projected_rectangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace lambert {
+namespace {
+
+// Outside of these solid angles [sr], and from nearly within the plane, rounding spoils the spherical rectangle; little
+// is lost there by sampling its area.
+constexpr float least_solid_angle = 0.004f, greatest_solid_angle = 6.2f, least_height = 1e-3f;
+
+std::optional<ProjectedRectangle> good_rectangle(Vec2 corner, Vec2 size) {
+  const ProjectedRectangle r(corner, size);
+  const bool good = r.solid_angle() >= least_solid_angle && r.solid_angle() <= greatest_solid_angle;
+  return good ? std::optional(r) : std::nullopt;
+}
+
+}  // namespace
+
+QuadLight::QuadLight(Vec3 corner, Vec3 edge_u, Vec3 edge_v, const std::array<Vec2, 3>& uv, Emission emission)
+    : corner_(corner),
+      edge_u_(edge_u),
+      edge_v_(edge_v),
+      axis_u_(normalize(edge_u)),
+      axis_v_(normalize(edge_v)),
+      normal_(normalize(cross(edge_u, edge_v))),
+      length_u_(length(edge_u)),
+      length_v_(length(edge_v)),
+      area_(length(cross(edge_u, edge_v))),
+      least_height_(least_height * std::max(length_u_, length_v_)),
+      uv_(uv),
+      emission_(std::move(emission)) {
+  const bool rectangle = std::abs(dot(axis_u_, axis_v_)) < 1e-4f;
+  if (!rectangle) least_height_ = std::numeric_limits<float>::infinity();
+}
+
+/// The rectangle seen from the reference point; none where its area is to be sampled.
+std::optional<ProjectedRectangle> QuadLight::spherical_view(Vec3 to_corner, float height) const {
+  if (!(std::abs(height) > least_height_)) return std::nullopt;
+  const float scale = 1 / std::abs(height);
+  return good_rectangle(scale * Vec2(dot(to_corner, axis_u_), dot(to_corner, axis_v_)),
+                        scale * Vec2(length_u_, length_v_));
+}
+
+std::optional<LightSample> QuadLight::sample(const LightContext& c, Vec3 from, Vec2 u) const {
+  const Vec3 to_corner = corner_ - from;
+  const float height = -dot(to_corner, normal_);
+  if (!emits(emission_, height)) return std::nullopt;
+
+  const auto seen = spherical_view(to_corner, height);
+  const Vec2 place = seen ? seen->sample(u) : u;
+  const Vec3 to_light = to_corner + place.x * edge_u_ + place.y * edge_v_;
+  LightSample s;
+  s.distance = length(to_light);
+  s.wi = to_light / s.distance;
+  // pdf_area r² / |cos|
+  s.pdf_omega = seen ? 1 / seen->solid_angle() : s.distance * s.distance * s.distance / (area_ * std::abs(height));
+  if (std::isinf(s.pdf_omega)) return std::nullopt;
+  s.normal = normal_;
+  s.radiance = emission_.radiance.value;
+  if (emission_.radiance.texture != no_texture) {
+    TextureCoordinates at;
+    at.uv = at.uv1 = uv_[0] + place.x * (uv_[1] - uv_[0]) + place.y * (uv_[2] - uv_[0]);
+    at.position = from + to_light;
+    s.radiance = emission_.radiance.eval(*c.textures, at);
+  }
+  return s;
+}
+
+float QuadLight::pdf_omega(Vec3 from, Vec3 hit) const {
+  const Vec3 to_corner = corner_ - from;
+  if (const auto seen = spherical_view(to_corner, dot(to_corner, normal_))) return 1 / seen->solid_angle();
+  return area_to_solid_angle(1 / area_, from, hit, normal_);
+}
+
+LightBounds QuadLight::bounds(const LightContext& c) const {
+  LightBounds b;
+  for (const Vec3 v : {Vec3(0), edge_u_, edge_v_, edge_u_ + edge_v_}) b.box.add(corner_ + v);
+  b.axis = normal_;
+  b.cos_theta_o = 1;
+  b.two_sided = emission_.two_sided;
+  b.intensity = area_ * luminance(mean_emission(emission_, c, uv_[0], uv_[1] - uv_[0], uv_[2] - uv_[0]));
+  b.power = pi * b.intensity * (emission_.two_sided ? 2.0f : 1.0f);
+  return b;
+}
+
+}  // namespace lambert
