@@ -24,8 +24,7 @@ struct Hit {
   Vec2 barycentric{0};        ///< of the triangle's 2nd and 3rd vertex; uv of analytic shapes
   std::uint32_t surface = 0;  ///< index into the compiled surfaces
   std::uint32_t primitive = 0;
-  std::uint32_t instance = 0;  ///< index into the placements of surfaces
-  Vec3 ng{0, 0, 1};            ///< world, not normalised, outward
+  Vec3 ng{0, 0, 1};  ///< not normalised, in the space of the geometry, on its own side
 };
 
 /// A point on a surface with everything that shading needs.
@@ -82,9 +81,10 @@ class Scene {
   std::size_t triangle_count() const;  ///< counting each instance
   std::string object_name(std::uint32_t object) const;
 
+  struct State;  ///< see compiled.h
+
  private:
   friend Scene compile(SceneGraph graph, const CompileSettings& settings);
-  struct State;
   explicit Scene(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

@@ -90,8 +90,12 @@ class SceneGraph {
     mutable Bounds3 bounds;
     mutable bool world_dirty = true, bounds_dirty = true;
   };
+  void mark_boxes_above(NodeId n);
+
+  friend class SceneCompiler;  // takes the pools instead of copying them
   std::vector<Node> nodes_;
   std::vector<Geometry> geometries_;
+  std::vector<Bounds3> geometry_bounds_;  // in their own space
   std::vector<Light> lights_;
   std::vector<Camera> cameras_;
   mutable std::size_t bounds_recomputed_ = 0;
