@@ -3,31 +3,63 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lambert {
 namespace {
 
-/// A square in the plane, large enough to contain the face.
-std::vector<Vec3d> large_square(Vec3d normal, double offset, double half) {
-  const Vec3d helper = std::abs(normal.x) < 0.6 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
-  const Vec3d s = glm::normalize(glm::cross(helper, normal)), t = glm::cross(normal, s), centre = offset * normal;
-  return {centre - half * s - half * t, centre + half * s - half * t, centre + half * s + half * t,
-          centre - half * s + half * t};
+struct WidePlane {
+  Vec3d normal;
+  double offset;
+  double height(Vec3d p) const { return glm::dot(normal, p) - offset; }
+};
+
+/// With unit normals, and each plane once.
+std::vector<WidePlane> distinct(const std::vector<ConvexPolyhedron::Plane>& planes) {
+  std::vector<WidePlane> kept;
+  for (const auto& plane : planes) {
+    const Vec3d n(plane.normal);
+    const double l = glm::length(n);
+    if (!(l > 0) || !std::isfinite(l) || !std::isfinite(plane.offset))
+      throw Error("a plane of a convex polyhedron has no direction or is not finite");
+    const WidePlane wide{n / l, static_cast<double>(plane.offset) / l};
+    const bool seen = std::any_of(kept.begin(), kept.end(), [&](const WidePlane& k) {
+      return glm::length(k.normal - wide.normal) < 1e-7 &&
+             std::abs(k.offset - wide.offset) <= 1e-7 * std::abs(k.offset);
+    });
+    if (!seen) kept.push_back(wide);
+  }
+  return kept;
 }
 
-/// Keeps the part where dot(normal, p) <= offset (Sutherland and Hodgman 1974).
-std::vector<Vec3d> clip(const std::vector<Vec3d>& face, Vec3d normal, double offset) {
-  std::vector<Vec3d> kept;
+using Loop = std::vector<Vec3d>;
+
+/// A square in the plane, large enough to contain the face.
+Loop large_square(const WidePlane& plane, double half) {
+  const Vec3d n = plane.normal, helper = std::abs(n.x) < 0.6 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
+  const Vec3d s = half * glm::normalize(glm::cross(helper, n)), t = glm::cross(n, s), centre = plane.offset * n;
+  return {centre - s - t, centre + s - t, centre + s + t, centre - s + t};
+}
+
+/// Keeps the part behind the plane (Sutherland and Hodgman 1974).
+Loop clip(const Loop& face, const WidePlane& plane) {
+  Loop kept;
   for (std::size_t i = 0; i < face.size(); ++i) {
     const Vec3d a = face[i], b = face[(i + 1) % face.size()];
-    const double da = glm::dot(normal, a) - offset, db = glm::dot(normal, b) - offset;
+    const double da = plane.height(a), db = plane.height(b);
     if (da <= 0) kept.push_back(a);
     if ((da < 0 && db > 0) || (da > 0 && db < 0)) kept.push_back(a + (da / (da - db)) * (b - a));
   }
   return kept;
 }
 
-std::vector<Vec3> without_repeats(const std::vector<Vec3d>& face, double tolerance) {
+double loop_area(const Loop& face) {
+  Vec3d twice(0);
+  for (std::size_t i = 1; i + 1 < face.size(); ++i) twice += glm::cross(face[i] - face[0], face[i + 1] - face[0]);
+  return 0.5 * glm::length(twice);
+}
+
+std::vector<Vec3> without_repeats(const Loop& face, double tolerance) {
   std::vector<Vec3> vertices;
   for (std::size_t i = 0; i < face.size(); ++i)
     if (glm::length(face[i] - face[(i + 1) % face.size()]) > tolerance) vertices.emplace_back(face[i]);
@@ -36,78 +68,70 @@ std::vector<Vec3> without_repeats(const std::vector<Vec3d>& face, double toleran
 
 }  // namespace
 
-ConvexPolyhedron::ConvexPolyhedron(std::vector<Plane> planes) : planes_(std::move(planes)) {
-  constexpr double enormous = 1e6;  // in units of the largest offset
-  double scale = 1e-6;
-  for (Plane& p : planes_) {
-    const float l = length(p.normal);
-    if (!(l > 0) || !std::isfinite(l) || !std::isfinite(p.offset))
-      throw Error("a plane of a convex polyhedron has no direction");
-    p.normal /= l, p.offset /= l;
-    scale = std::max(scale, static_cast<double>(std::abs(p.offset)));
+std::vector<ConvexPolyhedron::Face> ConvexPolyhedron::make_faces(const std::vector<Plane>& planes) {
+  const std::vector<WidePlane> sides = distinct(planes);
+  double scale = 0;
+  for (const WidePlane& side : sides) scale = std::max(scale, std::abs(side.offset));
+  const double enormous = scale > 0 ? 1e6 * scale : 1;
+
+  std::vector<Loop> loops;
+  double total_area = 0, reach = 0;
+  for (const WidePlane& side : sides) {
+    Loop loop = large_square(side, enormous);
+    for (const WidePlane& other : sides)
+      if (&other != &side) loop = clip(loop, other);
+    for (const Vec3d v : loop) reach = std::max(reach, glm::length(v));
+    total_area += loop_area(loop);
+    loops.push_back(std::move(loop));
   }
-  float sum = 0;
-  for (std::size_t i = 0; i < planes_.size(); ++i) {
-    std::vector<Vec3d> face =
-        large_square(Vec3d(planes_[i].normal), static_cast<double>(planes_[i].offset), enormous * scale);
-    for (std::size_t j = 0; j < planes_.size() && !face.empty(); ++j)
-      if (j != i) face = clip(face, Vec3d(planes_[j].normal), static_cast<double>(planes_[j].offset));
-    const std::vector<Vec3> vertices = without_repeats(face, 1e-9 * scale);
-    if (vertices.size() < 3) continue;
-    for (const Vec3 v : vertices) bounds_.add(v);
-    faces_.emplace_back(vertices);
-    cumulative_area_.push_back(sum += faces_.back().area());
+  if (reach > 0.1 * enormous) throw Error("the planes of a convex polyhedron do not enclose a finite body");
+
+  std::vector<Face> faces;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (!(loop_area(loops[i]) > 1e-9 * total_area)) continue;
+    const std::vector<Vec3> vertices = without_repeats(loops[i], 1e-9 * reach);
+    if (vertices.size() >= 3) faces.push_back({sides[i].normal, sides[i].offset, Polygon(vertices)});
   }
-  if (faces_.size() < 4) throw Error("the planes of a convex polyhedron enclose nothing");
-  if (static_cast<double>(bounds_.radius()) > 0.1 * enormous * scale)
-    throw Error("the planes of a convex polyhedron do not enclose a finite body");
+  if (faces.size() < 4) throw Error("the planes of a convex polyhedron enclose nothing");
+  return faces;
+}
+
+ConvexPolyhedron::ConvexPolyhedron(std::vector<Plane> planes)
+    : faces_(make_faces(planes)), face_choice_([this] {
+        std::vector<float> areas;
+        for (const Face& face : faces_) areas.push_back(face.polygon.area());
+        return DiscreteDistribution(areas);
+      }()) {
+  for (const Face& face : faces_) {
+    bounds_.add(face.polygon.bounds());
+    area_ += face.polygon.area();
+  }
 }
 
 /// Enters at the last front-facing plane and leaves at the first back-facing one; hit if it enters before it leaves.
 std::optional<ShapeHit> ConvexPolyhedron::intersect(const Ray& ray) const {
-  float enter = -std::numeric_limits<float>::infinity(), leave = std::numeric_limits<float>::infinity();
-  const Plane *enter_plane = nullptr, *leave_plane = nullptr;
-  for (const Plane& p : planes_) {
-    const float towards = dot(p.normal, ray.direction), outside = dot(p.normal, ray.origin) - p.offset;
-    if (towards == 0) {
-      if (outside > 0) return std::nullopt;
-      continue;
-    }
-    const float t = -outside / towards;
-    if (towards < 0 && t > enter) enter = t, enter_plane = &p;
-    if (towards > 0 && t < leave) leave = t, leave_plane = &p;
+  const Vec3d o(ray.origin), d(ray.direction);
+  double enter = -std::numeric_limits<double>::infinity(), leave = -enter;
+  const Face *enter_face = nullptr, *leave_face = nullptr;
+  for (const Face& face : faces_) {
+    const double towards = glm::dot(face.normal, d), outside = glm::dot(face.normal, o) - face.offset;
+    if (towards == 0 && outside > 0) return std::nullopt;
+    const double t = -outside / towards;
+    if (towards < 0 && t > enter) enter = t, enter_face = &face;
+    if (towards > 0 && t < leave) leave = t, leave_face = &face;
   }
-  if (!(enter <= leave)) return std::nullopt;
-  const bool from_outside = enter >= ray.t_min;
-  const float t = from_outside ? enter : leave;
-  const Plane* plane = from_outside ? enter_plane : leave_plane;
-  if (!plane || !(t >= ray.t_min && t <= ray.t_max)) return std::nullopt;
-
-  ShapeHit hit;
-  hit.t = t;
-  hit.normal = plane->normal;
-  const Vec3 place = ray.at(t) - bounds_.min, size = bounds_.diagonal();
-  const int drop = std::abs(hit.normal.x) > std::abs(hit.normal.y)
-                       ? (std::abs(hit.normal.x) > std::abs(hit.normal.z) ? 0 : 2)
-                       : (std::abs(hit.normal.y) > std::abs(hit.normal.z) ? 1 : 2);
-  const int a = (drop + 1) % 3, b = (drop + 2) % 3;
-  hit.uv = {std::clamp(place[a] / size[a], 0.0f, 1.0f), std::clamp(place[b] / size[b], 0.0f, 1.0f)};
-  Vec3 axis(0);
-  axis[a] = size[a];
-  hit.dpdu = axis - dot(axis, hit.normal) * hit.normal;
-  return hit;
+  if (!(enter <= leave) || !enter_face || !leave_face) return std::nullopt;
+  const bool from_outside = static_cast<float>(enter) >= ray.t_min;
+  const double t = from_outside ? enter : leave;
+  const auto rounded = static_cast<float>(t);
+  if (!(rounded >= ray.t_min && rounded <= ray.t_max)) return std::nullopt;
+  return (from_outside ? enter_face : leave_face)->polygon.hit_at(rounded, Vec3(o + t * d));
 }
 
-Bounds3 ConvexPolyhedron::bounds() const { return bounds_; }
-float ConvexPolyhedron::area() const { return cumulative_area_.back(); }
-
 ShapeSample ConvexPolyhedron::sample(Vec2 u) const {
-  const float wanted = u.x * area();
-  const auto above = std::upper_bound(cumulative_area_.begin(), cumulative_area_.end() - 1, wanted);
-  const auto i = static_cast<std::size_t>(above - cumulative_area_.begin());
-  const float before = i ? cumulative_area_[i - 1] : 0;
-  return faces_[i].sample(
-      {std::clamp((wanted - before) / (cumulative_area_[i] - before), 0.0f, one_minus_epsilon), u.y});
+  float within = 0;
+  const Bin face = face_choice_.sample(u.x, within);
+  return faces_[face.index].polygon.sample({within, u.y});
 }
 
 }  // namespace lambert

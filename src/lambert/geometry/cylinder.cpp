@@ -9,7 +9,10 @@ namespace lambert {
 namespace {
 
 float body_area(const Cylinder& c) { return c.phi_max * c.radius * (c.z_max - c.z_min); }
-float cap_area(const Cylinder& c) { return 0.5f * c.phi_max * sqr(c.radius); }
+
+Disk cap(const Cylinder& c, bool top) {
+  return {.height = top ? c.z_max : c.z_min, .radius = c.radius, .inner_radius = 0, .phi_max = c.phi_max};
+}
 
 void keep_nearer(std::optional<ShapeHit>& nearest, const std::optional<ShapeHit>& hit) {
   if (hit && (!nearest || hit->t < nearest->t)) nearest = hit;
@@ -17,30 +20,32 @@ void keep_nearer(std::optional<ShapeHit>& nearest, const std::optional<ShapeHit>
 
 /// A ray that runs within the body's surface (parallel to the axis at the radius) has no root: it misses the body.
 std::optional<ShapeHit> intersect_body(const Cylinder& c, const Ray& ray) {
-  const double ox = static_cast<double>(ray.origin.x), oy = static_cast<double>(ray.origin.y);
-  const double dx = static_cast<double>(ray.direction.x), dy = static_cast<double>(ray.direction.y);
+  const Vec3d o(ray.origin), d(ray.direction);
   const double r = static_cast<double>(c.radius);
-  const auto roots = solve_half_quadratic(dx * dx + dy * dy, ox * dx + oy * dy, ox * ox + oy * oy - r * r);
+  const double a = d.x * d.x + d.y * d.y, b = o.x * d.x + o.y * d.y;
+  // As for the sphere: from the distance of the ray to the axis.
+  const double nx = o.x - b / a * d.x, ny = o.y - b / a * d.y;
+  const auto roots = solve_half_quadratic(a, b, o.x * o.x + o.y * o.y - r * r, a * (r * r - (nx * nx + ny * ny)));
   if (!roots) return std::nullopt;
-  for (const double root : {roots->near, roots->far}) {
-    const auto t = static_cast<float>(root);
-    if (!(t >= ray.t_min && t <= ray.t_max)) continue;
-    Vec3 p = ray.at(t);
-    const float phi = azimuth(p.x, p.y);
-    if (p.z < c.z_min || p.z > c.z_max || phi > c.phi_max) continue;
+  for (const double t : {roots->near, roots->far}) {
     ShapeHit hit;
-    hit.t = t;
-    hit.normal = normalize(Vec3(p.x, p.y, 0));
-    hit.uv = {std::min(phi / c.phi_max, 1.0f), std::clamp((p.z - c.z_min) / (c.z_max - c.z_min), 0.0f, 1.0f)};
-    hit.dpdu = c.phi_max * Vec3(-p.y, p.x, 0);
+    hit.t = static_cast<float>(t);
+    if (!(hit.t >= ray.t_min && hit.t <= ray.t_max)) continue;
+    const Vec3d p = o + t * d;
+    hit.position = Vec3(Vec3d(p.x, p.y, 0) * (r / std::hypot(p.x, p.y)));
+    hit.position.z = static_cast<float>(p.z);
+    const float phi = azimuth(hit.position.x, hit.position.y);
+    if (!(hit.position.z >= c.z_min && hit.position.z <= c.z_max && phi <= c.phi_max)) continue;
+    hit.normal = Vec3(hit.position.x, hit.position.y, 0) / c.radius;
+    hit.uv = {std::min(phi / c.phi_max, 1.0f), (hit.position.z - c.z_min) / (c.z_max - c.z_min)};
+    hit.dpdu = azimuth_derivative(hit.position, c.phi_max);
     return hit;
   }
   return std::nullopt;
 }
 
 std::optional<ShapeHit> intersect_cap(const Cylinder& c, const Ray& ray, bool top) {
-  const Disk disk{.height = top ? c.z_max : c.z_min, .radius = c.radius, .inner_radius = 0, .phi_max = c.phi_max};
-  auto hit = disk.intersect(ray);
+  auto hit = cap(c, top).intersect(ray);
   if (hit && !top) hit->normal = -hit->normal;
   return hit;
 }
@@ -55,21 +60,20 @@ std::optional<ShapeHit> Cylinder::intersect(const Ray& ray) const {
   return nearest;
 }
 
-Bounds3 Cylinder::bounds() const { return {{-radius, -radius, z_min}, {radius, radius, z_max}}; }
+Bounds3 Cylinder::bounds() const { return sector_bounds(caps ? 0 : radius, radius, phi_max, z_min, z_max); }
 
-float Cylinder::area() const { return body_area(*this) + (caps ? 2 * cap_area(*this) : 0); }
+float Cylinder::area() const { return body_area(*this) + (caps ? 2 * cap(*this, true).area() : 0); }
 
 ShapeSample Cylinder::sample(Vec2 u) const {
-  const float body_share = body_area(*this) / area();
+  const float body_share = caps ? body_area(*this) / area() : 1;
   if (u.x < body_share) {
     const float v = std::min(u.x / body_share, one_minus_epsilon), phi = phi_max * u.y;
     const Vec3 normal(std::cos(phi), std::sin(phi), 0);
     return {Vec3(radius * normal.x, radius * normal.y, z_min + v * (z_max - z_min)), normal, {u.y, v}};
   }
-  const float within = std::min(2 * (u.x - body_share) / (1 - body_share), 2 * one_minus_epsilon);
+  const float within = 2 * (u.x - body_share) / (1 - body_share);
   const bool top = within >= 1;
-  const Disk disk{.height = top ? z_max : z_min, .radius = radius, .inner_radius = 0, .phi_max = phi_max};
-  ShapeSample s = disk.sample({std::min(top ? within - 1 : within, one_minus_epsilon), u.y});
+  ShapeSample s = cap(*this, top).sample({std::min(top ? within - 1 : within, one_minus_epsilon), u.y});
   if (!top) s.normal = -s.normal;
   return s;
 }

@@ -36,7 +36,9 @@ void validate(const TriangleMesh& mesh);
 TriangleMesh transformed(TriangleMesh mesh, const Transform& t);
 /// Normals per vertex, weighted by angle; for meshes that have none and want to be smooth.
 void compute_smooth_normals(TriangleMesh& mesh);
-/// Triangulates a planar or nearly planar polygon of indices into `positions` (fan when convex, ears otherwise).
+/// Appends the face.size() - 2 triangles of a planar or nearly planar polygon of indices into `positions`: a fan when
+/// convex, ears otherwise. A face without area, or with a number that is not finite or an index out of range, becomes a
+/// fan; validate() refuses the latter two.
 void triangulate_face(std::span<const Vec3> positions, std::span<const std::uint32_t> face, std::vector<Triangle>& out);
 
 }  // namespace lambert

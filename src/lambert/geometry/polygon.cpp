@@ -1,5 +1,5 @@
 #include "lambert/base/error.h"
-#include "lambert/geometry/mesh.h"
+#include "lambert/geometry/newell.h"
 #include "lambert/geometry/ray_tests.h"
 #include "lambert/geometry/shape.h"
 #include "lambert/sampling/warp.h"
@@ -11,84 +11,102 @@
 namespace lambert {
 namespace {
 
-/// Sum over the edges of coordinate differences times sums: twice the area along the normal (Newell; row PG-18).
-Vec3d newell_normal(const std::vector<Vec3>& v) {
-  Vec3d n(0);
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    const Vec3d a(v[i] - v[0]), b(v[(i + 1) % v.size()] - v[0]);
-    n += Vec3d((a.y - b.y) * (a.z + b.z), (a.z - b.z) * (a.x + b.x), (a.x - b.x) * (a.y + b.y));
-  }
-  return n;
+std::vector<std::uint32_t> whole_face(const std::vector<Vec3>& vertices) {
+  std::vector<std::uint32_t> face(vertices.size());
+  std::iota(face.begin(), face.end(), 0u);
+  return face;
 }
 
-float triangle_area(const std::vector<Vec3>& v, const std::array<std::size_t, 3>& t) {
-  return 0.5f * length(cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]));
+std::vector<Vec3> checked(std::vector<Vec3> vertices) {
+  if (vertices.size() < 3) throw Error("a polygon needs at least 3 vertices, got " + std::to_string(vertices.size()));
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec3 v = vertices[i];
+    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+      throw Error("vertex " + std::to_string(i) + " of a polygon is not finite");
+  }
+  return vertices;
+}
+
+Bounds3 bounds_of(const std::vector<Vec3>& vertices) {
+  Bounds3 box;
+  for (const Vec3 v : vertices) box.add(v);
+  return box;
+}
+
+Vec3 checked_normal(const std::vector<Vec3>& vertices, const Bounds3& box) {
+  const Vec3d area = newell_normal(vertices, whole_face(vertices));
+  const double twice_area = glm::length(area), extent = glm::length(Vec3d(box.max) - Vec3d(box.min));
+  if (!(twice_area > 1e-12 * extent * extent)) throw Error("a polygon's vertices lie on one line");
+  const Vec3d n = area / twice_area;
+  // Coordinates far from the origin cannot be given more exactly than this.
+  const double rounding = 1e-6 * glm::length(glm::max(glm::abs(Vec3d(box.min)), glm::abs(Vec3d(box.max))));
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (std::abs(glm::dot(Vec3d(vertices[i]) - Vec3d(vertices[0]), n)) > 1e-3 * extent + rounding)
+      throw Error("a polygon is not planar: vertex " + std::to_string(i) + " lies off the plane of the others");
+  return Vec3(n);
+}
+
+std::vector<Triangle> triangulated(const std::vector<Vec3>& vertices) {
+  std::vector<Triangle> triangles;
+  triangulate_face(vertices, whole_face(vertices), triangles);
+  return triangles;
+}
+
+std::vector<float> areas(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles) {
+  std::vector<float> a;
+  for (const Triangle& t : triangles)
+    a.push_back(0.5f * length(cross(vertices[t[1]] - vertices[t[0]], vertices[t[2]] - vertices[t[0]])));
+  return a;
 }
 
 }  // namespace
 
-Polygon::Polygon(std::vector<Vec3> vertices) : vertices_(std::move(vertices)) {
-  if (vertices_.size() < 3) throw Error("a polygon needs at least 3 vertices, got " + std::to_string(vertices_.size()));
-  const Vec3d n = newell_normal(vertices_);
-  const double twice_area = glm::length(n), extent = static_cast<double>(length(bounds().diagonal()));
-  if (!(twice_area > 1e-12 * extent * extent)) throw Error("a polygon's vertices lie on one line");
-  normal_ = Vec3(n / twice_area);
-  for (std::size_t i = 0; i < vertices_.size(); ++i)
-    if (std::abs(dot(vertices_[i] - vertices_[0], normal_)) > 1e-3f * static_cast<float>(extent))
-      throw Error("a polygon is not planar: vertex " + std::to_string(i) + " lies off the plane of the others");
-  drop_axis_ = dominant_axis(normal_);
-
-  std::vector<std::uint32_t> face(vertices_.size());
-  std::iota(face.begin(), face.end(), 0u);
-  std::vector<Triangle> triangles;
-  triangulate_face(vertices_, face, triangles);
-  float sum = 0;
-  for (const Triangle& t : triangles) {
-    triangles_.push_back({t[0], t[1], t[2]});
-    cumulative_area_.push_back(sum += triangle_area(vertices_, triangles_.back()));
-  }
+Polygon::Polygon(std::vector<Vec3> vertices)
+    : vertices_(checked(std::move(vertices))),
+      bounds_(bounds_of(vertices_)),
+      normal_(checked_normal(vertices_, bounds_)),
+      drop_axis_(dominant_axis(Vec3d(normal_))),
+      triangles_(triangulated(vertices_)),
+      triangle_choice_(areas(vertices_, triangles_)) {
+  const std::vector<float> parts = areas(vertices_, triangles_);
+  area_ = std::accumulate(parts.begin(), parts.end(), 0.0f);
 }
 
+/// A ray in the polygon's plane misses it.
 std::optional<ShapeHit> Polygon::intersect(const Ray& ray) const {
-  const float along = dot(ray.direction, normal_);
+  const Vec3d n(normal_), o(ray.origin), d(ray.direction);
+  const double along = glm::dot(d, n);
   if (along == 0) return std::nullopt;
-  const float t = dot(vertices_[0] - ray.origin, normal_) / along;
-  if (!(t >= ray.t_min && t <= ray.t_max)) return std::nullopt;
-  const Vec3 p = ray.at(t);
+  const double t = glm::dot(Vec3d(vertices_[0]) - o, n) / along;
+  const auto rounded = static_cast<float>(t);
+  if (!(rounded >= ray.t_min && rounded <= ray.t_max)) return std::nullopt;
+  const Vec3d p = o + t * d;
   if (!inside_projected_polygon(p, vertices_, drop_axis_)) return std::nullopt;
-  const Bounds3 box = bounds();
+  return hit_at(rounded, Vec3(p));
+}
+
+Vec2 Polygon::uv_at(Vec3 position) const {
   const int a = (drop_axis_ + 1) % 3, b = (drop_axis_ + 2) % 3;
-  const Vec3 size = box.diagonal(), place = p - box.min;
-  ShapeHit hit;
-  hit.t = t;
-  hit.normal = normal_;
-  hit.uv = {std::clamp(place[a] / size[a], 0.0f, 1.0f), std::clamp(place[b] / size[b], 0.0f, 1.0f)};
-  Vec3 axis(0);
-  axis[a] = size[a];
-  hit.dpdu = axis - dot(axis, normal_) * normal_;
-  return hit;
+  const Vec3 place = position - bounds_.min, size = bounds_.diagonal();
+  return {std::clamp(place[a] / size[a], 0.0f, 1.0f), std::clamp(place[b] / size[b], 0.0f, 1.0f)};
 }
 
-Bounds3 Polygon::bounds() const {
-  Bounds3 box;
-  for (const Vec3 v : vertices_) box.add(v);
-  return box;
+ShapeHit Polygon::hit_at(float t, Vec3 position) const {
+  // Along u one coordinate changes, the next stays, and the dropped one keeps to the plane n.p = const.
+  const int a = (drop_axis_ + 1) % 3;
+  Vec3 dpdu(0);
+  dpdu[a] = bounds_.diagonal()[a];
+  dpdu[drop_axis_] = -dpdu[a] * normal_[a] / normal_[drop_axis_];
+  return {.t = t, .position = position, .normal = normal_, .dpdu = dpdu, .uv = uv_at(position)};
 }
-
-float Polygon::area() const { return cumulative_area_.back(); }
 
 ShapeSample Polygon::sample(Vec2 u) const {
-  const float wanted = u.x * area();
-  const auto above = std::upper_bound(cumulative_area_.begin(), cumulative_area_.end() - 1, wanted);
-  const auto i = static_cast<std::size_t>(above - cumulative_area_.begin());
-  const float before = i ? cumulative_area_[i - 1] : 0;
-  const float within = std::clamp((wanted - before) / (cumulative_area_[i] - before), 0.0f, one_minus_epsilon);
+  float within = 0;
+  const Triangle& t = triangles_[triangle_choice_.sample(u.x, within).index];
   const Vec2 b = square_to_triangle({within, u.y});
-  const auto& t = triangles_[i];
   const Vec3 p =
       vertices_[t[0]] + b.x * (vertices_[t[1]] - vertices_[t[0]]) + b.y * (vertices_[t[2]] - vertices_[t[0]]);
-  const auto hit = intersect(Ray{p + normal_, -normal_});
-  return {p, normal_, hit ? hit->uv : Vec2(0)};
+  return {p, normal_, uv_at(p)};
 }
 
 }  // namespace lambert

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -9,14 +10,12 @@ struct Roots {
 };
 
 /// Real roots of a t² + 2 b t + c in order, without cancellation (Press et al., "Numerical Recipes", 5.6); none if
-/// complex or a = 0.
-inline std::optional<Roots> solve_half_quadratic(double a, double b, double c) {
-  const double discriminant = b * b - a * c;
+/// complex, a = 0 or anything is NaN. `discriminant` is b² - a c, which the caller may know more exactly.
+inline std::optional<Roots> solve_half_quadratic(double a, double b, double c, double discriminant) {
   if (!(discriminant >= 0) || a == 0) return std::nullopt;
   const double q = -(b + std::copysign(std::sqrt(discriminant), b));
-  if (q == 0) return Roots{0, 0};
-  const double t0 = q / a, t1 = c / q;
-  return t0 < t1 ? Roots{t0, t1} : Roots{t1, t0};
+  const double t0 = q / a, t1 = q != 0 ? c / q : t0;
+  return Roots{std::min(t0, t1), std::max(t0, t1)};
 }
 
 }  // namespace lambert

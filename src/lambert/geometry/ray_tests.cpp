@@ -49,18 +49,14 @@ std::optional<double> ray_triangle(Vec3d origin, Vec3d direction, Vec3d a, Vec3d
   return *t;
 }
 
-int dominant_axis(Vec3 n) {
-  const float x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
-  return x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
-}
-
-bool inside_projected_polygon(Vec3 p, std::span<const Vec3> polygon, int drop_axis) {
+bool inside_projected_polygon(Vec3d p, std::span<const Vec3> polygon, int drop_axis) {
   const int a = (drop_axis + 1) % 3, b = (drop_axis + 2) % 3;
   bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Vec3 &v = polygon[i], &w = polygon[j];
-    if ((v[b] > p[b]) == (w[b] > p[b])) continue;
-    if (p[a] < v[a] + (p[b] - v[b]) / (w[b] - v[b]) * (w[a] - v[a])) inside = !inside;
+  Vec3d w(polygon.back());
+  for (const Vec3& corner : polygon) {
+    const Vec3d v(corner);
+    if ((v[b] > p[b]) != (w[b] > p[b]) && p[a] < v[a] + (p[b] - v[b]) / (w[b] - v[b]) * (w[a] - v[a])) inside = !inside;
+    w = v;
   }
   return inside;
 }

@@ -31,10 +31,8 @@ bool inside_by_areas(Vec3d p, Vec3d a, Vec3d b, Vec3d c, double tolerance = 1e-9
 /// The plane's meeting if it lies ahead and inside the triangle (row PG-64).
 std::optional<double> ray_triangle(Vec3d origin, Vec3d direction, Vec3d a, Vec3d b, Vec3d c);
 
-/// 0, 1 or 2: the axis along which |n| is largest.
-int dominant_axis(Vec3 n);
 /// Whether `p` lies in a planar polygon, judged without the coordinate `drop_axis` (row PG-67): crossings of a
 /// half-line, an edge owning its lower end.
-bool inside_projected_polygon(Vec3 p, std::span<const Vec3> polygon, int drop_axis);
+bool inside_projected_polygon(Vec3d p, std::span<const Vec3> polygon, int drop_axis);
 
 }  // namespace lambert

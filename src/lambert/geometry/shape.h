@@ -4,9 +4,11 @@
 #include "lambert/base/bounds.h"
 #include "lambert/base/ray.h"
 #include "lambert/base/vec.h"
+#include "lambert/geometry/mesh.h"
+#include "lambert/sampling/distribution.h"
 
-#include <array>
 #include <concepts>
+#include <cstddef>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -15,8 +17,9 @@ namespace lambert {
 
 struct ShapeHit {
   float t = 0;           ///< in lengths of the ray's direction
+  Vec3 position{0};      ///< on the surface: nearer to it than ray.at(t) when the ray comes from far
   Vec3 normal{0, 0, 1};  ///< unit, outward
-  Vec3 dpdu{1, 0, 0};    ///< along +u, not normalised
+  Vec3 dpdu{1, 0, 0};    ///< ∂position/∂u
   Vec2 uv{0};            ///< in [0,1]²
 };
 
@@ -66,24 +69,33 @@ struct Cylinder {
   ShapeSample sample(Vec2 u) const;
 };
 
-/// A planar simple polygon, counter-clockwise seen from its normal's side (row PG-67).
+/// A planar simple polygon, counter-clockwise seen from its normal's side (row PG-67). Its uv span the bounding
+/// rectangle of its projection along the dominant axis of its normal.
 struct Polygon {
-  explicit Polygon(std::vector<Vec3> vertices);  ///< throws Error when fewer than 3, degenerate or not planar
+  /// Throws Error when there are fewer than 3 vertices, or they are not finite, on one line or not in one plane.
+  explicit Polygon(std::vector<Vec3> vertices);
   std::optional<ShapeHit> intersect(const Ray& ray) const;
-  Bounds3 bounds() const;
-  float area() const;
+  Bounds3 bounds() const { return bounds_; }
+  float area() const { return area_; }
   ShapeSample sample(Vec2 u) const;
   const std::vector<Vec3>& vertices() const { return vertices_; }
+  Vec3 normal() const { return normal_; }
+  /// What a ray finds that meets the polygon at `position`.
+  ShapeHit hit_at(float t, Vec3 position) const;
 
  private:
+  Vec2 uv_at(Vec3 position) const;
+
   std::vector<Vec3> vertices_;
-  std::vector<std::array<std::size_t, 3>> triangles_;  // for sampling
-  std::vector<float> cumulative_area_;
-  Vec3 normal_{0, 0, 1};
-  int drop_axis_ = 2;
+  Bounds3 bounds_;
+  Vec3 normal_;
+  int drop_axis_;
+  std::vector<Triangle> triangles_;  // for sampling
+  DiscreteDistribution triangle_choice_;
+  float area_;
 };
 
-/// The intersection of half-spaces dot(normal, p) <= offset (row PG-68, slab method).
+/// The intersection of half-spaces dot(normal, p) <= offset (row PG-68, slab method). Each face has a polygon's uv.
 struct ConvexPolyhedron {
   struct Plane {
     Vec3 normal{0, 0, 1};
@@ -91,15 +103,23 @@ struct ConvexPolyhedron {
   };
   explicit ConvexPolyhedron(std::vector<Plane> planes);  ///< throws Error when unbounded or empty
   std::optional<ShapeHit> intersect(const Ray& ray) const;
-  Bounds3 bounds() const;
-  float area() const;
+  Bounds3 bounds() const { return bounds_; }
+  float area() const { return area_; }
   ShapeSample sample(Vec2 u) const;
+  std::size_t face_count() const { return faces_.size(); }  ///< planes that merely touch the body have none
 
  private:
-  std::vector<Plane> planes_;
-  std::vector<Polygon> faces_;
-  std::vector<float> cumulative_area_;
+  struct Face {
+    Vec3d normal;
+    double offset;
+    Polygon polygon;
+  };
+  static std::vector<Face> make_faces(const std::vector<Plane>& planes);
+
+  std::vector<Face> faces_;
+  DiscreteDistribution face_choice_;
   Bounds3 bounds_;
+  float area_ = 0;
 };
 
 template <ShapeModel... Shapes>
