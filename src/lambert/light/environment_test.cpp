@@ -2,6 +2,7 @@
 
 #include "lambert/base/error.h"
 #include "lambert/light/environment_map.h"
+#include "lambert/light/equal_area.h"
 #include "lambert/light/light_test_tools.h"
 #include "lambert/light/many_lights.h"
 #include "lambert/sampling/warp.h"
@@ -53,6 +54,40 @@ TEST(EnvironmentLight, SamplesAgreeWithDensityAndRadiance) {
       }
       const Rgb radiance = light.radiance(s->wi);
       EXPECT_NEAR(radiance.g, s->radiance.g, 2e-3f * (1 + s->radiance.g));
+    }
+  }
+}
+
+// rows: PT-21
+TEST(EnvironmentLight, DirectionsFollowTheDensity) {
+  for (const auto mapping : mappings) {
+    const EnvironmentLight light = turned(mapping);
+    const auto result = chi_square_of_light(light, Vec3(0), [&](Vec3 w) { return light.pdf_omega(w); }, mappings.size());
+    EXPECT_TRUE(result) << result.message;
+  }
+}
+
+// rows: PT-21
+// V-PT-11: its function as the luminance of texels whose neighbours repeat them, so that interpolation changes nothing.
+TEST(EnvironmentMap, ChoosesRowThenColumn) {
+  constexpr int block = 64;
+  Image image(2 * block, 2 * block, rgb_channels());
+  constexpr float f[2][2] = {{1, 3}, {0, 4}};
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) image.set_rgb(x, y, Rgb(f[y / block][x / block]));
+  }
+  const EnvironmentMap map(image, EnvironmentMapping::equal_area);
+  const auto cell_of = [](const EnvironmentMap::Sample& s) { return equal_area_sphere_to_square(s.direction); };
+  const Vec2 first = cell_of(*map.sample({0.2f, 0.2f})), second = cell_of(*map.sample({0.3f, 0.6f}));
+  EXPECT_LT(first.x, 0.5f);
+  EXPECT_LT(first.y, 0.5f);
+  EXPECT_GT(second.x, 0.5f);
+  EXPECT_GT(second.y, 0.5f);
+  constexpr float pdf[2][2] = {{0.5f, 1.5f}, {0, 2}};
+  for (int y = 0; y < 2; ++y) {
+    for (int x = 0; x < 2; ++x) {
+      const Vec3 centre = equal_area_square_to_sphere({0.25f + 0.5f * static_cast<float>(x), 0.25f + 0.5f * static_cast<float>(y)});
+      EXPECT_NEAR(map.pdf_omega(centre) * 4 * pi, pdf[y][x], 1e-4f) << x << y;
     }
   }
 }

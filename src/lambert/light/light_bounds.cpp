@@ -56,7 +56,8 @@ LightBounds merge(const LightBounds& a, const LightBounds& b) {
 float importance(const LightBounds& b, Vec3 point, Vec3 normal) {
   const Vec3 to_point = point - b.box.centre();
   const float squared = length_squared(to_point), radius_squared = 0.25f * length_squared(b.box.diagonal());
-  const float falloff = b.intensity / std::max({squared, radius_squared, 1e-20f});
+  // The mean of 1/d² over lights that fill a box evenly is, from its centre, about 6 / r².
+  const float falloff = b.intensity / std::max({squared, radius_squared / 6, 1e-20f});
   if (squared <= radius_squared) return falloff;
 
   // θ_u: half angle of the sphere about the box, seen from the point.

@@ -3,6 +3,7 @@
 
 #include "lambert/base/hash.h"
 #include "lambert/light/light.h"
+#include "statistics/chi_square.h"
 
 #include <array>
 #include <cmath>
@@ -36,6 +37,27 @@ double irradiance(const L& light, const LightContext& context, Vec3 p, Vec3 norm
     if (cos > 0) sum += static_cast<double>(luminance(s->radiance) * cos / s->pdf_omega);
   }
   return sum / square.count();
+}
+
+/// Directions sampled from a light seen from `from`, against a density towards a direction (0 beside the light).
+template <class L, class Pdf>
+statistics::TestResult chi_square_of_light(const L& light, Vec3 from, const Pdf& pdf, std::size_t tests) {
+  // Lights have sharp edges, which should not run along those of the bins; and bins across them need a fine integral.
+  const Transform turn = Transform::rotate(degrees(35), {1, 2, 3});
+  statistics::SphereTest settings;
+  settings.subdivisions = 32, settings.tests = static_cast<int>(tests);
+  const auto sample = [&](Vec2 u, float) -> std::optional<Vec3> {
+    const auto s = light.sample(LightContext{}, from, u);
+    return s ? std::optional(turn.vector(s->wi)) : std::nullopt;
+  };
+  const auto density = [&](Vec3 w) { return static_cast<double>(pdf(turn.inverse().vector(w))); };
+  return statistics::chi_square_sphere(sample, density, settings);
+}
+
+/// Where the ray from `from` meets a plane.
+inline std::optional<Vec3> meet_plane(Vec3 from, Vec3 direction, Vec3 on_plane, Vec3 normal) {
+  const float t = dot(on_plane - from, normal) / dot(direction, normal);
+  return t > 0 && t < 1e6f ? std::optional(from + t * direction) : std::nullopt;
 }
 
 /// Lambert's formula for a polygon of radiance 1 all above the horizon: E = 1/2 Σ Θᵢ n·Γᵢ, Θᵢ the angle under which an

@@ -13,7 +13,7 @@ class TestNumbers {
  public:
   explicit TestNumbers(std::uint64_t seed) : seed_(seed) {}
   float next() { return hash_to_float(hash_values(seed_, count_++)); }
-  Vec3 next_in_cube() { return 2.0f * Vec3(next(), next(), next()) - 1.0f; }
+  Vec3 next_in_cube() { return 2.0f * Vec3{next(), next(), next()} - 1.0f; }
   Vec3 next_direction() {
     const float z = 1 - 2 * next(), phi = 2 * pi * next(), r = std::sqrt(std::max(0.0f, 1 - z * z));
     return {r * std::cos(phi), r * std::sin(phi), z};

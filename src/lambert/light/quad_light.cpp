@@ -9,14 +9,13 @@
 namespace lambert {
 namespace {
 
-// Outside of these solid angles [sr], and from nearly within the plane, rounding spoils the spherical rectangle; little
-// is lost there by sampling its area.
-constexpr float least_solid_angle = 0.004f, greatest_solid_angle = 6.2f, least_height = 1e-3f;
+// Below this solid angle [sr], and nearer to the plane than this part of the longer edge, rounding spoils the spherical
+// rectangle; little is lost there by sampling its area.
+constexpr float least_solid_angle = 0.004f, least_height = 3e-4f;
 
 std::optional<ProjectedRectangle> good_rectangle(Vec2 corner, Vec2 size) {
   const ProjectedRectangle r(corner, size);
-  const bool good = r.solid_angle() >= least_solid_angle && r.solid_angle() <= greatest_solid_angle;
-  return good ? std::optional(r) : std::nullopt;
+  return r.solid_angle() >= least_solid_angle ? std::optional(r) : std::nullopt;
 }
 
 }  // namespace

@@ -24,10 +24,10 @@ bool is_finite(const Transform& t) {
 
 SceneGraph::SceneGraph() { nodes_.push_back({.name = "root"}); }
 
-NodeId SceneGraph::add_node(NodeId parent, std::string name, const Transform& local) {
+NodeId SceneGraph::add_node(NodeId parent, std::string label, const Transform& local) {
   assert(parent < nodes_.size());
   const auto id = static_cast<NodeId>(nodes_.size());
-  nodes_.push_back({.name = std::move(name), .parent = parent});
+  nodes_.push_back({.name = std::move(label), .parent = parent});
   nodes_[parent].children.push_back(id);
   set_local_transform(id, local);
   return id;

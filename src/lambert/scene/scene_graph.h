@@ -48,7 +48,7 @@ class SceneGraph {
   SceneGraph();
 
   NodeId root() const { return 0; }
-  NodeId add_node(NodeId parent, std::string name, const Transform& local = {});
+  NodeId add_node(NodeId parent, std::string label, const Transform& local = {});
   std::size_t node_count() const { return nodes_.size(); }
   const std::string& node_name(NodeId n) const { return nodes_[n].name; }
   NodeId parent(NodeId n) const { return nodes_[n].parent; }

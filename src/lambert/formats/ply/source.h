@@ -93,8 +93,9 @@ class AsciiSource {
   void skip(Type, std::size_t count) {
     for (; count > 0; --count) take([&] { return word_end(); }, "a value");
   }
+  /// At the value last taken.
   [[noreturn]] void fail(const std::string& why) const {
-    throw Error({name_, line_, static_cast<std::size_t>(p_ - line_start_) + 1}, why);
+    throw Error({name_, line_, static_cast<std::size_t>(word_ - line_start_) + 1}, why);
   }
 
  private:
@@ -112,6 +113,7 @@ class AsciiSource {
   template <class Parse>
   void take(Parse parse, const char* expected) {
     skip_space();
+    word_ = p_;
     if (p_ == end_) fail("the file ends too early");
     const char* last = parse();
     if (!last || (last != end_ && !is_space(*last))) {
@@ -122,6 +124,7 @@ class AsciiSource {
   }
 
   const char *p_, *end_, *line_start_;
+  const char* word_ = p_;  // the one last taken, for messages
   std::size_t line_;
   const std::string& name_;
 };
