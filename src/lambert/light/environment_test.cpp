@@ -62,7 +62,8 @@ TEST(EnvironmentLight, SamplesAgreeWithDensityAndRadiance) {
 TEST(EnvironmentLight, DirectionsFollowTheDensity) {
   for (const auto mapping : mappings) {
     const EnvironmentLight light = turned(mapping);
-    const auto result = chi_square_of_light(light, Vec3(0), [&](Vec3 w) { return light.pdf_omega(w); }, mappings.size());
+    const auto result = chi_square_of_light(
+        light, Vec3(0), [&](Vec3 w) { return light.pdf_omega(w); }, mappings.size());
     EXPECT_TRUE(result) << result.message;
   }
 }
@@ -86,7 +87,8 @@ TEST(EnvironmentMap, ChoosesRowThenColumn) {
   constexpr float pdf[2][2] = {{0.5f, 1.5f}, {0, 2}};
   for (int y = 0; y < 2; ++y) {
     for (int x = 0; x < 2; ++x) {
-      const Vec3 centre = equal_area_square_to_sphere({0.25f + 0.5f * static_cast<float>(x), 0.25f + 0.5f * static_cast<float>(y)});
+      const Vec3 centre =
+          equal_area_square_to_sphere({0.25f + 0.5f * static_cast<float>(x), 0.25f + 0.5f * static_cast<float>(y)});
       EXPECT_NEAR(map.pdf_omega(centre) * 4 * pi, pdf[y][x], 1e-4f) << x << y;
     }
   }

@@ -125,7 +125,8 @@ double relative_variance(const std::vector<Light>& lights, LightStrategy strateg
   const LightChooser chooser(lights, unit_scene(), strategy);
   double total = 0, squares = 0;
   for (std::uint32_t l = 0; l < lights.size(); ++l) {
-    const double e = std::visit([&](const auto& light) { return irradiance(light, LightContext{}, p, n, 4); }, lights[l]);
+    const double e =
+        std::visit([&](const auto& light) { return irradiance(light, LightContext{}, p, n, 4); }, lights[l]);
     if (e == 0) continue;
     total += e, squares += e * e / static_cast<double>(chooser.probability(p, n, l));
   }

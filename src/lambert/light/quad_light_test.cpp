@@ -80,8 +80,7 @@ TEST(QuadLight, ARectangleIsSampledUniformlyBySolidAngle) {
   for (const Vec2 u : {Vec2(0.5f), Vec2(0.9f, 0.1f), Vec2(0, 0), Vec2(one_minus_epsilon)}) {
     EXPECT_FLOAT_EQ(light.sample({}, {0.5f, 0, 0.2f}, u)->pdf_omega, first->pdf_omega);
   }
-  EXPECT_NEAR(1 / lamp(900, 900, 1).sample({}, Vec3(0), Vec2(0.5f))->pdf_omega, 2 * pi, 0.02f)
-      << "nearly a hemisphere";
+  EXPECT_NEAR(1 / lamp(900, 900, 1).sample({}, Vec3(0), Vec2(0.5f))->pdf_omega, 2 * pi, 0.02f) << "nearly a hemisphere";
 }
 
 TEST(QuadLight, EmitsOnItsFrontUnlessTwoSided) {
