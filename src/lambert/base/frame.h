@@ -20,9 +20,11 @@ struct Frame {
   static Frame from_tangent(Vec3 normal, Vec3 tangent) {
     const Vec3 projected = tangent - dot(tangent, normal) * normal;
     const float squared = dot(projected, projected);
-    if (!(squared > 1e-12f * dot(tangent, tangent))) return Frame(normal);
+    if (!(squared > 1e-8f * dot(tangent, tangent))) return Frame(normal);
     Frame f;
-    f.n = normal, f.s = projected / std::sqrt(squared), f.t = cross(normal, f.s);
+    f.n = normal, f.s = projected / std::sqrt(squared);
+    f.s -= dot(f.s, normal) * normal;  // again: what is left of a nearly parallel tangent is mostly rounding
+    f.t = cross(normal, f.s);
     return f;
   }
   Vec3 to_local(Vec3 v) const { return {dot(v, s), dot(v, t), dot(v, n)}; }
