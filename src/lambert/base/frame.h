@@ -20,7 +20,7 @@ struct Frame {
   static Frame from_tangent(Vec3 normal, Vec3 tangent) {
     const Vec3 projected = tangent - dot(tangent, normal) * normal;
     const float squared = dot(projected, projected);
-    if (!(squared > 1e-8f * dot(tangent, tangent))) return Frame(normal);
+    if (!(squared > 1e-6f * dot(tangent, tangent))) return Frame(normal);
     Frame f;
     f.n = normal, f.s = projected / std::sqrt(squared);
     f.s -= dot(f.s, normal) * normal;  // again: what is left of a nearly parallel tangent is mostly rounding
