@@ -29,7 +29,8 @@ std::vector<std::string> image_extensions();
 struct Texels {
   int width = 0, height = 0, channels = 0;
   std::vector<std::uint8_t> bytes;  ///< rows from the top, straight alpha; empty when `floats` is used
-  std::vector<float> floats;        ///< linear; also for 16-bit PNG and TIFF (as stored, in [0,1])
+  std::vector<float> floats;        ///< radiance formats, and 16-bit codes over 65535
+  bool linear = false;              ///< floats that are linear light already
 };
 /// Decodes an image in memory (PNG, JPEG, WebP, TIFF, EXR, HDR, PFM). `name` is used in errors.
 Texels decode_texels(std::span<const std::byte> data, const std::string& name);

@@ -1,0 +1,50 @@
+#pragma once
+/// One pair of functions per file format; image/io.cpp chooses. Decoders take bytes, so that they also serve embedded
+/// images and fuzzing. They throw Error "name: reason", and check sizes before they allocate.
+
+#include "lambert/image/image.h"
+#include "lambert/image/io.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lambert {
+
+using Bytes = std::span<const std::byte>;
+
+Image decode_exr(Bytes data, const std::string& name);
+Image decode_rgbe(Bytes data, const std::string& name);
+Image decode_pfm(Bytes data, const std::string& name);
+Texels decode_png(Bytes data, const std::string& name);
+Texels decode_jpeg(Bytes data, const std::string& name);
+Texels decode_tiff(Bytes data, const std::string& name);
+Texels decode_webp(Bytes data, const std::string& name);
+
+/// Radiance formats take the image as it is.
+std::vector<std::byte> encode_exr(const Image& image);
+std::vector<std::byte> encode_rgbe(const Image& image);
+std::vector<std::byte> encode_pfm(const Image& image);
+
+/// An image as display formats store it: sRGB, straight alpha, 1 to 4 channels of 8 or 16 bits.
+struct DisplayImage {
+  int width = 0, height = 0, channels = 0;
+  std::vector<std::uint8_t> bytes;
+  std::vector<std::uint16_t> words;  ///< instead of bytes, for formats of 16 bits
+  std::map<std::string, std::string> metadata;
+};
+std::vector<std::byte> encode_png(const DisplayImage& image);
+std::vector<std::byte> encode_jpeg(const DisplayImage& image);
+std::vector<std::byte> encode_tiff(const DisplayImage& image);
+std::vector<std::byte> encode_webp(const DisplayImage& image);
+
+[[noreturn]] void decode_error(const std::string& name, const std::string& reason);
+/// Refuses sizes that are not positive, above 2^28 pixels, or so large that `bytes` of the file cannot hold them even
+/// if each byte were worth `most_pixels_per_byte` pixels.
+void check_image_size(const std::string& name, std::uint64_t width, std::uint64_t height, std::size_t bytes,
+                      std::uint64_t most_pixels_per_byte);
+
+}  // namespace lambert

@@ -1,0 +1,84 @@
+#include "lambert/image/formats/codecs.h"
+
+#include <bit>
+#include <cstring>
+#include <sstream>
+
+namespace lambert {
+namespace {
+
+/// The next word of the header: up to 32 characters between white space; the white space behind it is eaten too (one
+/// character).
+std::string next_word(Bytes data, std::size_t& at, const std::string& name) {
+  const auto character = [&] { return static_cast<char>(data[at]); };
+  const auto is_space = [](char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; };
+  while (at < data.size() && is_space(character())) ++at;
+  std::string word;
+  while (at < data.size() && !is_space(character()) && word.size() < 32) word += character(), ++at;
+  if (at >= data.size()) decode_error(name, "the header ends at byte " + std::to_string(at));
+  ++at;
+  return word;
+}
+
+float parse_float(const std::string& word, const std::string& what, const std::string& name) {
+  std::istringstream in(word);
+  in.imbue(std::locale::classic());
+  float value = 0;
+  if (!(in >> value) || !in.eof()) decode_error(name, "expected " + what + ", got '" + word + "'");
+  return value;
+}
+
+float load(const std::byte* at, bool little) {
+  std::uint32_t bits;
+  std::memcpy(&bits, at, 4);
+  if (little != (std::endian::native == std::endian::little)) bits = __builtin_bswap32(bits);
+  return std::bit_cast<float>(bits);
+}
+
+}  // namespace
+
+/// "PF" colour or "Pf" grey, size, scale (negative: little-endian), then rows from the bottom.
+Image decode_pfm(Bytes data, const std::string& name) {
+  std::size_t at = 0;
+  const std::string magic = next_word(data, at, name);
+  if (magic != "PF" && magic != "Pf") decode_error(name, "expected PF or Pf, got '" + magic + "'");
+  const float width = parse_float(next_word(data, at, name), "a width", name),
+              height = parse_float(next_word(data, at, name), "a height", name);
+  const float scale = parse_float(next_word(data, at, name), "a scale", name);
+  const std::size_t channels = magic == "PF" ? 3 : 1;
+  if (!(width >= 1 && height >= 1 && width < 1e8f && height < 1e8f)) decode_error(name, "the size is not positive");
+  const auto w = static_cast<std::uint64_t>(width), h = static_cast<std::uint64_t>(height);
+  check_image_size(name, w, h, data.size(), 1);
+  if (data.size() - at < w * h * channels * 4)
+    decode_error(name, "ends at byte " + std::to_string(data.size()) + ", expected " +
+                           std::to_string(at + w * h * channels * 4));
+  Image image(static_cast<int>(w), static_cast<int>(h), channels == 3 ? rgb_channels() : std::vector<std::string>{"Y"});
+  const std::byte* from = data.data() + at;
+  for (int y = image.height(); y-- > 0;)
+    for (float& v : image.row(y)) v = load(from, scale < 0), from += 4;
+  return image;
+}
+
+std::vector<std::byte> encode_pfm(const Image& image) {
+  const bool grey = image.channel_count() < 3;
+  const std::string header =
+      (grey ? "Pf\n" : "PF\n") + std::to_string(image.width()) + " " + std::to_string(image.height()) + "\n-1.0\n";
+  std::vector<std::byte> out(header.size());
+  std::memcpy(out.data(), header.data(), header.size());
+  const auto append = [&](float v) {
+    std::uint32_t bits = std::bit_cast<std::uint32_t>(v);
+    if (std::endian::native != std::endian::little) bits = __builtin_bswap32(bits);
+    const auto old = out.size();
+    out.resize(old + 4);
+    std::memcpy(out.data() + old, &bits, 4);
+  };
+  for (int y = image.height(); y-- > 0;)
+    for (int x = 0; x < image.width(); ++x) {
+      const Rgb c = image.rgb(x, y);
+      append(c.r);
+      if (!grey) append(c.g), append(c.b);
+    }
+  return out;
+}
+
+}  // namespace lambert

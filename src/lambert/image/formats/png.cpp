@@ -1,0 +1,121 @@
+#include "lambert/base/error.h"
+#include "lambert/image/formats/codecs.h"
+
+#include <png.h>
+
+#include <cstring>
+
+namespace lambert {
+namespace {
+
+struct Input {
+  Bytes data;
+  std::size_t at = 0;
+};
+
+/// libpng reports errors by longjmp; from C++ functions that it calls, an exception is as good and runs destructors.
+[[noreturn]] void fail(png_structp, png_const_charp message) { throw Error(message); }
+void ignore(png_structp, png_const_charp) {}
+
+void read_bytes(png_structp png, png_bytep to, png_size_t count) {
+  auto& in = *static_cast<Input*>(png_get_io_ptr(png));
+  if (count > in.data.size() - in.at) throw Error("ends at byte " + std::to_string(in.data.size()));
+  std::memcpy(to, in.data.data() + in.at, count);
+  in.at += count;
+}
+
+void write_bytes(png_structp png, png_bytep from, png_size_t count) {
+  auto& out = *static_cast<std::vector<std::byte>*>(png_get_io_ptr(png));
+  const auto* bytes = reinterpret_cast<const std::byte*>(from);
+  out.insert(out.end(), bytes, bytes + count);
+}
+void flush(png_structp) {}
+
+class Decoder {
+ public:
+  Decoder()
+      : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignore)),
+        info_(png_create_info_struct(png_)) {}
+  ~Decoder() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  Decoder(const Decoder&) = delete;
+  Decoder& operator=(const Decoder&) = delete;
+
+  Texels decode(Bytes data, const std::string& name) {
+    Input in{data};
+    png_set_read_fn(png_, &in, read_bytes);
+    png_read_info(png_, info_);
+    const png_uint_32 width = png_get_image_width(png_, info_), height = png_get_image_height(png_, info_);
+    check_image_size(name, width, height, data.size(),
+                     8192);  // deflate shrinks a thousandfold, and a byte may be 8 pixels
+    const int depth = png_get_bit_depth(png_, info_);
+    png_set_expand(png_);  // palettes, small depths and transparent colours
+    if (depth == 16) png_set_swap(png_);
+    const int passes = png_set_interlace_handling(png_);
+    png_read_update_info(png_, info_);
+
+    Texels t;
+    t.width = static_cast<int>(width), t.height = static_cast<int>(height), t.channels = png_get_channels(png_, info_);
+    const std::size_t row_bytes = png_get_rowbytes(png_, info_);
+    std::vector<std::uint8_t> pixels(row_bytes * height);
+    for (int pass = 0; pass < passes; ++pass)
+      for (png_uint_32 y = 0; y < height; ++y) png_read_row(png_, pixels.data() + y * row_bytes, nullptr);
+    if (depth < 16) {
+      t.bytes = std::move(pixels);
+      return t;
+    }
+    t.floats.resize(pixels.size() / 2);
+    for (std::size_t i = 0; i < t.floats.size(); ++i) {
+      std::uint16_t word;
+      std::memcpy(&word, pixels.data() + 2 * i, 2);
+      t.floats[i] = static_cast<float>(word) / 65535.0f;
+    }
+    return t;
+  }
+
+ private:
+  png_structp png_;
+  png_infop info_;
+};
+
+}  // namespace
+
+Texels decode_png(Bytes data, const std::string& name) {
+  try {
+    return Decoder().decode(data, name);
+  } catch (const Error& e) {
+    const std::string reason = e.what();
+    if (reason.starts_with(name + ":")) throw;
+    decode_error(name, reason);
+  }
+}
+
+std::vector<std::byte> encode_png(const DisplayImage& image) {
+  static constexpr int colour_types[] = {0, PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
+                                         PNG_COLOR_TYPE_RGBA};
+  std::vector<std::byte> out;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignore);
+  png_infop info = png_create_info_struct(png);
+  png_set_write_fn(png, &out, write_bytes, flush);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
+               colour_types[image.channels], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  std::vector<png_text> texts;
+  for (const auto& [key, value] : image.metadata) {
+    png_text text{};
+    text.compression = PNG_TEXT_COMPRESSION_NONE;
+    text.key = const_cast<char*>(key.c_str());
+    text.text = const_cast<char*>(value.c_str());
+    text.text_length = value.size();
+    if (!key.empty() && key.size() < 80) texts.push_back(text);
+  }
+  png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
+  png_write_info(png, info);
+  const std::size_t row = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
+    png_write_row(png, image.bytes.data() + y * row);
+  png_write_end(png, info);
+  png_destroy_write_struct(&png, &info);
+  return out;
+}
+
+}  // namespace lambert

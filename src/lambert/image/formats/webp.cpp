@@ -1,0 +1,42 @@
+#include "lambert/base/error.h"
+#include "lambert/image/formats/codecs.h"
+
+#include <webp/decode.h>
+#include <webp/encode.h>
+
+namespace lambert {
+
+Texels decode_webp(Bytes data, const std::string& name) {
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(data.data());
+  WebPBitstreamFeatures features;
+  if (WebPGetFeatures(bytes, data.size(), &features) != VP8_STATUS_OK)
+    decode_error(name, "is not a complete WebP file");
+  if (features.has_animation) decode_error(name, "is an animation, expected a still image");
+  check_image_size(name, static_cast<std::uint64_t>(features.width), static_cast<std::uint64_t>(features.height),
+                   data.size(), 65536);
+  Texels t{.width = features.width, .height = features.height, .channels = features.has_alpha ? 4 : 3};
+  t.bytes.resize(static_cast<std::size_t>(t.width) * static_cast<std::size_t>(t.height) *
+                 static_cast<std::size_t>(t.channels));
+  const int stride = t.width * t.channels;
+  const auto* decoded = features.has_alpha
+                            ? WebPDecodeRGBAInto(bytes, data.size(), t.bytes.data(), t.bytes.size(), stride)
+                            : WebPDecodeRGBInto(bytes, data.size(), t.bytes.data(), t.bytes.size(), stride);
+  if (!decoded) decode_error(name, "its pixels are damaged or end early");
+  return t;
+}
+
+/// Lossless.
+std::vector<std::byte> encode_webp(const DisplayImage& image) {
+  std::uint8_t* buffer = nullptr;
+  const int stride = image.width * image.channels;
+  const std::size_t size = image.channels == 4
+                               ? WebPEncodeLosslessRGBA(image.bytes.data(), image.width, image.height, stride, &buffer)
+                               : WebPEncodeLosslessRGB(image.bytes.data(), image.width, image.height, stride, &buffer);
+  if (size == 0) throw Error("WebP holds at most 16383x16383 pixels");
+  const auto* bytes = reinterpret_cast<const std::byte*>(buffer);
+  std::vector<std::byte> out(bytes, bytes + size);
+  WebPFree(buffer);
+  return out;
+}
+
+}  // namespace lambert

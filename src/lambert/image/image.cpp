@@ -1,0 +1,40 @@
+#include "lambert/image/image.h"
+
+#include "lambert/base/error.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace lambert {
+
+Image::Image(int width, int height, std::vector<std::string> channels)
+    : width_(width), height_(height), channels_(std::move(channels)) {
+  constexpr std::uint64_t most_floats = std::uint64_t{1} << 31;
+  const std::string size =
+      std::to_string(width) + "x" + std::to_string(height) + " with " + std::to_string(channels_.size()) + " channels";
+  if (width <= 0 || height <= 0 || channels_.empty()) throw Error("an image cannot be " + size);
+  const std::uint64_t pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+  if (pixels > most_floats / channels_.size()) throw Error("an image of " + size + " is too large");
+  pixels_.resize(static_cast<std::size_t>(pixels) * channels_.size());
+}
+
+std::optional<std::size_t> Image::channel(std::string_view name) const {
+  const auto it = std::find(channels_.begin(), channels_.end(), name);
+  if (it == channels_.end()) return std::nullopt;
+  return static_cast<std::size_t>(it - channels_.begin());
+}
+
+Rgb Image::rgb(int x, int y) const {
+  const float* p = &pixels_[index(x, y)];
+  return channel_count() >= 3 ? Rgb(p[0], p[1], p[2]) : Rgb(p[0]);
+}
+
+void Image::set_rgb(int x, int y, Rgb c) {
+  float* p = &pixels_[index(x, y)];
+  p[0] = c.r, p[1] = c.g, p[2] = c.b;
+}
+
+std::vector<std::string> rgb_channels() { return {"R", "G", "B"}; }
+std::vector<std::string> rgba_channels() { return {"R", "G", "B", "A"}; }
+
+}  // namespace lambert
