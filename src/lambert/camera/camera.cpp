@@ -8,12 +8,12 @@
 namespace lambert {
 namespace {
 
-/// A ray in camera space, and the angle of a pixel there.
+/// A ray in camera space, and the width of a pixel there.
 struct LocalRay {
   Vec3 origin{0};
   Vec3 direction{0, 0, -1};
   float pixel_width = 0;   // at the origin
-  float pixel_spread = 0;  // per unit distance
+  float pixel_spread = 0;  // per unit of the direction's length
 };
 
 /// Film point to [-1,1] x [-1,1], y up.
@@ -78,11 +78,10 @@ CameraRay Camera::ray(Vec2 film, Vec2 u_lens, float u_time) const {
   CameraRay r;
   r.ray.origin = to_world.point(local.origin);
   const Vec3 direction = to_world.vector(local.direction);
-  const float stretch = length(direction);
-  r.ray.direction = direction / stretch;
+  const float local_length = length(local.direction), world_length = length(direction);
+  r.ray.direction = direction / world_length;
   r.ray.time = shutter_open + u_time * (shutter_close - shutter_open);
-  // Per unit distance along the ray; the local direction reaches depth 1 at length |direction|.
-  r.cone = {local.pixel_width, local.pixel_spread / length(local.direction)};
+  r.cone = {local.pixel_width * world_length / local_length, local.pixel_spread / local_length};
   return r;
 }
 
@@ -103,7 +102,7 @@ float Camera::axis_depth(const Ray& ray, float t) const {
 
 Camera framing_camera(const Bounds3& bounds, Vec2i resolution) {
   const Angle fov = degrees(40);
-  const float radius = std::max(bounds.radius(), 1e-3f);
+  const float radius = bounds.radius() > 0 ? bounds.radius() : 1;
   const Vec3 centre = bounds.empty() ? Vec3(0) : bounds.centre();
   const Vec3 back = normalize(Vec3(0.35f, 0.3f, 1));
   Camera c;

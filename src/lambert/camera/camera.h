@@ -59,7 +59,8 @@ struct Camera {
   Camera with_resolution(Vec2i r) const;
 };
 
-/// A camera that sees all of `bounds` from the front, a little above (for scenes that have none).
+/// A camera that sees all of `bounds` from the front, a little above (for scenes that have none). A single point is
+/// seen from some distance, an empty box is taken for the origin.
 Camera framing_camera(const Bounds3& bounds, Vec2i resolution);
 
 }  // namespace lambert

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lambert {
@@ -69,11 +70,41 @@ TEST(Camera, PanoramaCoversTheSphere) {
   expect_near(c.ray({0, 50}).ray.direction, {0, 0, 1});
 }
 
+TEST(Camera, MirroredCameraSwapsLeftAndRight) {
+  Camera c = example(perspective(degrees(60), FovAxis::vertical, {200, 100}));
+  const Vec3 d = c.ray({30, 20}).ray.direction;
+  c.to_world = c.to_world * Transform::scale({-1, 1, 1});
+  expect_near(c.ray({30, 20}).ray.direction, {-d.x, d.y, d.z});
+  EXPECT_NEAR(length(c.ray({30, 20}).ray.direction), 1, 1e-6);
+}
+
+TEST(Camera, ScaledCameraHasTheSameUnitRays) {
+  Camera c = example(perspective(degrees(60), FovAxis::vertical, {200, 100}));
+  const CameraRay before = c.ray({30, 20});
+  c.to_world = c.to_world * Transform::scale(Vec3(5));
+  const CameraRay after = c.ray({30, 20});
+  expect_near(after.ray.direction, before.ray.direction);
+  EXPECT_FLOAT_EQ(after.cone.spread, before.cone.spread);
+}
+
+/// Where the rays of two neighbouring pixels, followed for `distance`, are apart as much as the cone is wide.
+void expect_cone_as_wide_as_the_step(const Camera& c, Vec2 film, float distance) {
+  const CameraRay a = c.ray(film - Vec2(0, 0.5f)), b = c.ray(film + Vec2(0, 0.5f)), middle = c.ray(film);
+  const float width = middle.cone.at(distance);
+  EXPECT_NEAR(length(a.ray.at(distance) - b.ray.at(distance)), width, 0.02f * width);
+}
+
 TEST(Camera, ConeIsAsWideAsTheStepToTheNextPixel) {
-  const Camera c = example(perspective(degrees(40), FovAxis::vertical, {200, 100}));
-  const CameraRay a = c.ray({100, 50}), b = c.ray({101, 50});
-  const float distance = 7;
-  EXPECT_NEAR(a.cone.at(distance), length(a.ray.at(distance) - b.ray.at(distance)), 0.01f * a.cone.at(distance));
+  for (const float scale : {1.0f, 3.0f})
+    for (const Projection& p : {Projection(perspective(degrees(40), FovAxis::vertical, {200, 100})),
+                                Projection(Orthographic{.half_width = 4, .half_height = 2}), Projection(Panoramic{})}) {
+      Camera c = example(p);
+      c.to_world = c.to_world * Transform::scale(Vec3(scale));
+      expect_cone_as_wide_as_the_step(c, {100, 50}, 7);
+    }
+  // Off the axis: at the side of the image a pixel is as far apart from its upper neighbour as at its centre, at the
+  // same depth.
+  expect_cone_as_wide_as_the_step(example(perspective(degrees(70), FovAxis::vertical, {200, 100})), {10, 50}, 7);
 }
 
 TEST(Camera, OtherResolutionKeepsTheVerticalExtent) {
@@ -94,16 +125,45 @@ TEST(Camera, AxisDepthIsTheDistanceOfThePlane) {
   EXPECT_NEAR(c.axis_depth(r, 5 / -r.direction.z), 5, 1e-5);
 }
 
-TEST(FramingCamera, SeesAllCorners) {
-  const Bounds3 box{{-1, 2, 3}, {4, 5, 9}};
-  const Camera c = framing_camera(box, {320, 200});
-  const Transform to_camera = c.to_world.inverse();
-  const auto& p = std::get<Perspective>(c.projection);
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 q = to_camera.point(box.corner(i));
-    ASSERT_LT(q.z, 0);
-    EXPECT_LT(std::abs(q.x / q.z), p.half_width);
-    EXPECT_LT(std::abs(q.y / q.z), p.half_height);
+// rows: PT-33
+TEST(Camera, LensIsCoveredEvenly) {
+  Camera c = example(Orthographic{.lens_radius = 2, .focal_distance = 5});
+  Vec2 sum(0);
+  float squares = 0;
+  constexpr int side = 50;
+  for (int i = 0; i < side * side; ++i) {
+    const Vec2 u = (Vec2(i % side, i / side) + 0.5f) / static_cast<float>(side);
+    const Vec3 on_lens = c.ray({100, 50}, u).ray.origin - Vec3(1, 2, 3);
+    EXPECT_NEAR(on_lens.z, 0, 1e-6);
+    sum += Vec2(on_lens), squares += dot(on_lens, on_lens);
+  }
+  EXPECT_NEAR(length(sum) / (side * side), 0, 1e-3);
+  EXPECT_NEAR(squares / (side * side), 2, 0.02);  // the mean of r² over a disk of radius 2
+}
+
+TEST(FramingCamera, SeesAllCornersAndFillsTheImage) {
+  for (const float scale : {1e-5f, 1.0f, 1e4f})
+    for (const Vec2i resolution : {Vec2i(320, 200), Vec2i(100, 300)}) {
+      const Bounds3 box{scale * Vec3(-1, 2, 3), scale * Vec3(4, 5, 9)};
+      const Camera c = framing_camera(box, resolution);
+      const Transform to_camera = c.to_world.inverse();
+      const auto& p = std::get<Perspective>(c.projection);
+      float widest = 0;
+      for (int i = 0; i < 8; ++i) {
+        const Vec3 q = to_camera.point(box.corner(i));
+        ASSERT_LT(q.z, 0);
+        widest = std::max({widest, std::abs(q.x / q.z) / p.half_width, std::abs(q.y / q.z) / p.half_height});
+      }
+      EXPECT_LT(widest, 1);
+      EXPECT_GT(widest, 0.5f);
+    }
+}
+
+TEST(FramingCamera, PointsAndNothingAreLookedAt) {
+  for (const Bounds3& box : {Bounds3{}, Bounds3{Vec3(1, 2, 3), Vec3(1, 2, 3)}}) {
+    const Ray r = framing_camera(box, {100, 100}).ray({50, 50}).ray;
+    const Vec3 target = box.empty() ? Vec3(0) : box.min;
+    EXPECT_NEAR(dot(normalize(target - r.origin), r.direction), 1, 1e-5);
   }
 }
 
