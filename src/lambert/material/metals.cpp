@@ -12,10 +12,10 @@ struct NamedMetal {
 };
 
 // Measured n and k, taken to RGB by spectrum_to_reflectance_rgb. Sources: Palik, "Handbook of Optical Constants of
-// Solids", in the tables of SOPRA S.A. (Ag, Al, Au, Be, Cu, Hg, Ir, Mo, Nb, Rh, Ta, W, TiN, MgO and TiO2);
-// Johnson and Christy, Phys. Rev. B 9, 5056 (1974) (Cr, Fe, Ni, Ti); Rakić et al., Appl. Opt. 37, 5271 (1998) (Pt);
-// Querry, report CRDC-CR-85034 (1985) (CuZn: brass, 70 % Cu). MgO and TiO2 are no metals, but pbrt names them with
-// these.
+// Solids", as tabulated in the spectra that accompany pbrt-v2 (Ag, Al, Au, Be, Cu, Hg, Ir, Mo, Nb, Rh, Ta, W, TiN, MgO
+// and TiO2); Johnson and Christy, Phys. Rev. B 9, 5056 (1974) (Cr, Fe, Ni, Ti); Rakić et al., Appl. Opt. 37, 5271
+// (1998) (Pt); Querry, report CRDC-CR-85034 (1985) (CuZn: brass, 70 % Cu). MgO and TiO2 are no metals, but pbrt names
+// them with these.
 constexpr std::array metals = {
     NamedMetal{"Ag", {{0.1288f, 0.1231f, 0.1522f}, {3.9987f, 3.2990f, 2.3606f}}},
     NamedMetal{"Al", {{1.3692f, 0.9326f, 0.5728f}, {7.6438f, 6.6205f, 5.3188f}}},
