@@ -27,24 +27,25 @@ class ProjectedRectangle {
 
   float solid_angle() const { return solid_angle_; }
 
-  /// The place on the rectangle in [0,1]² along its sides; the density is 1 / solid_angle() per steradian.
+  /// A point of the rectangle as its offset from the corner; the density is 1 / solid_angle() per steradian.
   Vec2 sample(Vec2 u) const {
-    // With k = 2π - g₂ - g₃ and a = u Ω + k the part u of the area lies below x / √(1 + x²) = ± sin a / √(t² + b₀² sin²
-    // a), where t = b₀ cos a - b₁. All is scaled by the length of k_.
-    const float angle = u.x * solid_angle_;
-    const Complex a = Complex{std::cos(angle), std::sin(angle)} * k_;
-    const float wy0 = 1 + y0_ * y0_, wy1 = 1 + y1_ * y1_;
-    const float length_k = (1 + x0_ * x0_) * std::sqrt(wy0 * wy1);
-    const float t = -(a.re * y0_ / std::sqrt(wy0) + length_k * y1_ / std::sqrt(wy1));
-    const float squared = std::max(t * t - a.im * a.im / wy0, 1e-30f);
-    const float x = std::clamp(std::copysign(a.im, a.im * t) / std::sqrt(squared), x0_, x1_);
+    // With k = 2π - g₂ - g₃ and a = u Ω + k the part u of the area lies below x = ± sin a / √(t² - sin² a / (1 + y₀²)),
+    // t = -(cos a y₀ / √(1 + y₀²) + y₁ / √(1 + y₁²)). Here t and the root are multiplied by √(1 + y₀²) √(1 + y₁²).
+    const float s0 = std::sqrt(1 + y0_ * y0_), s1 = std::sqrt(1 + y1_ * y1_);
+    const float angle = u.x * solid_angle_, inverse_length = 1 / ((1 + x0_ * x0_) * s0 * s1);
+    const Complex a =
+        Complex{std::cos(angle), std::sin(angle)} * Complex{k_.re * inverse_length, k_.im * inverse_length};
+    const float t = -(a.re * y0_ * s1 + y1_ * s0);
+    const float squared = std::max(t * t - sqr(a.im * s1), 1e-30f);
+    const float x = std::clamp(std::copysign(a.im, a.im * t) * s0 * s1 / std::sqrt(squared), x0_, x1_);
 
-    // Along the arc over x, y / √(1 + x² + y²) is uniform.
-    const float d = 1 + x * x;
-    const float h0 = y0_ / std::sqrt(d + y0_ * y0_), h1 = y1_ / std::sqrt(d + y1_ * y1_);
-    const float h = h0 + u.y * (h1 - h0);
-    const float y = std::clamp(h * std::sqrt(d / std::max(1 - h * h, 1e-7f)), y0_, y1_);
-    return {(x - x0_) / (x1_ - x0_), (y - y0_) / (y1_ - y0_)};
+    // Along the arc over x, h = y / √(1 + x² + y²) is uniform: h = n / d from y₀ to y₁, and y² = (1 + x²) h² / (1 -
+    // h²).
+    const float w = 1 + x * x;
+    const float r0 = std::sqrt(w + y0_ * y0_), r1 = std::sqrt(w + y1_ * y1_);
+    const float n = (1 - u.y) * y0_ * r1 + u.y * y1_ * r0, d2 = sqr(r0 * r1);
+    const float y = std::clamp(n * std::sqrt(w / std::max(d2 - n * n, 1e-7f * d2)), y0_, y1_);
+    return {x - x0_, y - y0_};
   }
 
  private:

@@ -39,7 +39,7 @@ TEST(ProjectedRectangle, CutsTheSolidAngleIntoEqualParts) {
     const double exact = exact_solid_angle(x0, y0, static_cast<double>(c.x + s.x), y1);
     for (int i = 0; i <= 20; ++i) {
       const Vec2 u(std::min(static_cast<float>(i) / 20, one_minus_epsilon), 0.3f);
-      const Vec2 place = r.sample(u);
+      const Vec2 place = r.sample(u) / s;
       ASSERT_GE(place.x, 0);
       ASSERT_LE(place.x, 1);
       const double x = x0 + static_cast<double>(place.x * s.x), y = y0 + static_cast<double>(place.y * s.y);

@@ -51,11 +51,12 @@ std::optional<LightSample> QuadLight::sample(const LightContext& c, Vec3 from, V
   if (!emits(emission_, height)) return std::nullopt;
 
   const auto seen = spherical_view(to_corner, height);
-  const Vec2 place = seen ? seen->sample(u) : u;
-  const Vec3 to_light = to_corner + place.x * edge_u_ + place.y * edge_v_;
+  // Lengths along the edges.
+  const Vec2 offset = seen ? std::abs(height) * seen->sample(u) : u * Vec2(length_u_, length_v_);
+  const Vec3 to_light = to_corner + offset.x * axis_u_ + offset.y * axis_v_;
   LightSample s;
   s.distance = length(to_light);
-  s.wi = to_light / s.distance;
+  s.wi = to_light * (1 / s.distance);
   // pdf_area r² / |cos|
   s.pdf_omega = seen ? 1 / seen->solid_angle() : s.distance * s.distance * s.distance / (area_ * std::abs(height));
   if (std::isinf(s.pdf_omega)) return std::nullopt;
@@ -63,6 +64,7 @@ std::optional<LightSample> QuadLight::sample(const LightContext& c, Vec3 from, V
   s.radiance = emission_.radiance.value;
   if (emission_.radiance.texture != no_texture) {
     TextureCoordinates at;
+    const Vec2 place = offset / Vec2(length_u_, length_v_);
     at.uv = at.uv1 = uv_[0] + place.x * (uv_[1] - uv_[0]) + place.y * (uv_[2] - uv_[0]);
     at.position = from + to_light;
     s.radiance = emission_.radiance.eval(*c.textures, at);
