@@ -1,0 +1,57 @@
+#include "lambert/formats/number.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <optional>
+
+namespace lambert {
+namespace {
+
+/// The number, if the whole text is one.
+std::optional<float> whole_float(std::string_view text) {
+  float value = 0;
+  const char* last = text.data() + text.size();
+  return parse_float(text.data(), last, value) == last ? std::optional(value) : std::nullopt;
+}
+std::optional<std::int64_t> whole_int(std::string_view text) {
+  std::int64_t value = 0;
+  const char* last = text.data() + text.size();
+  return parse_int(text.data(), last, value) == last ? std::optional(value) : std::nullopt;
+}
+
+TEST(Number, FloatsInAllSpellings) {
+  EXPECT_EQ(whole_float("1"), 1.0f);
+  EXPECT_EQ(whole_float("-1.5"), -1.5f);
+  EXPECT_EQ(whole_float("+.25"), 0.25f);
+  EXPECT_EQ(whole_float("3."), 3.0f);
+  EXPECT_EQ(whole_float("-1e-3"), -1e-3f);
+  EXPECT_EQ(whole_float("2E+2"), 200.0f);
+  EXPECT_EQ(whole_float("3.40282347e38"), std::numeric_limits<float>::max());
+}
+
+TEST(Number, TooSmallIsZeroTooLargeIsNone) {
+  EXPECT_EQ(whole_float("1e-999"), 0.0f);
+  EXPECT_EQ(whole_float("-1e-60"), -0.0f);
+  EXPECT_EQ(whole_float("1e999"), std::nullopt);
+  EXPECT_EQ(whole_float("3.5e38"), std::nullopt);
+}
+
+TEST(Number, WhatIsNoNumber) {
+  for (const char* text : {"", "-", "+", ".", "+-1", "--1", "inf", "-inf", "nan", "abc", "e5"}) {
+    EXPECT_EQ(whole_float(text), std::nullopt) << text;
+  }
+  for (const char* text : {"", "-", "+", "+-1", "1.5", "99999999999999999999", "x"}) {
+    EXPECT_EQ(whole_int(text), std::nullopt) << text;
+  }
+  EXPECT_EQ(whole_int("-17"), -17);
+  EXPECT_EQ(whole_int("+17"), 17);
+}
+
+TEST(Number, PrintableIsShortAndPlain) {
+  EXPECT_EQ(printable("a\x01\xffz"), "a??z");
+  EXPECT_LT(printable(std::string(1000, 'x')).size(), 50u);
+}
+
+}  // namespace
+}  // namespace lambert
