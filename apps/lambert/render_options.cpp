@@ -1,6 +1,7 @@
 #include "render_options.h"
 
 #include "lambert/base/error.h"
+#include "lambert/base/file.h"
 #include "lambert/image/io.h"
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include <charconv>
 #include <filesystem>
 #include <limits>
+#include <string_view>
 
 namespace lambert::cli {
 namespace {
@@ -38,6 +40,22 @@ std::vector<int> parse_numbers(const std::string& flag, const std::string& text,
 PixelRect parse_crop(const std::string& text) {
   const auto n = parse_numbers("--crop", text, ",,,", "x0,y0,x1,y1 in pixels");
   return {{n[0], n[1]}, {n[2], n[3]}};
+}
+
+/// Whether a PNG says that this program made it (its tEXt chunk "software").
+bool is_our_picture(const std::filesystem::path& path) {
+  using namespace std::string_view_literals;
+  return MappedFile(path).text().substr(0, 4096).find("software\0lambert "sv) != std::string_view::npos;
+}
+
+/// "out.png", or the scene's name as PNG beside it. Textures often have their scene's name: a file that is not ours is
+/// not replaced unless the user names it.
+std::string default_output(const std::string& scene) {
+  if (scene.empty()) return "out.png";
+  const auto path = std::filesystem::path(scene).replace_extension(".png");
+  if (std::filesystem::exists(path) && !is_our_picture(path))
+    throw Error(path.string() + " exists and was not made by lambert: name the output with -o");
+  return path.string();
 }
 
 }  // namespace
@@ -137,10 +155,7 @@ std::unique_ptr<Method> configured_method(const RenderOptions& options, const Sc
 
 std::vector<std::string> output_paths(const RenderOptions& options) {
   std::vector<std::string> paths = options.outputs;
-  if (paths.empty())
-    paths.push_back(options.scene.file.empty()
-                        ? "out.png"
-                        : std::filesystem::path(options.scene.file).replace_extension(".png").string());
+  if (paths.empty()) paths.push_back(default_output(options.scene.file));
   for (const std::string& path : paths) {
     is_radiance_format(path);  // throws for an unknown extension, before any work is done
     const auto folder = std::filesystem::absolute(path).parent_path();

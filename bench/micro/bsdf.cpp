@@ -1,4 +1,5 @@
-/// Nanoseconds per evaluation, density and sample of the scattering models, through the variant as a renderer calls them.
+/// Nanoseconds per evaluation, density and sample of the scattering models, through the variant as a renderer calls
+/// them.
 
 #include "lambert/bsdf/any_bsdf.h"
 

@@ -1,7 +1,7 @@
 /// Rays per second of lambert::Scene beside Embree alone, on the same triangles and the same rays, in turn.
 ///
-/// Three kinds of rays as a path tracer makes them: camera rays, diffuse bounces from where those hit, and shadow rays from
-/// there to a small lamp. Medians of several rounds, one thread.
+/// Three kinds of rays as a path tracer makes them: camera rays, diffuse bounces from where those hit, and shadow rays
+/// from there to a small lamp. Medians of several rounds, one thread.
 
 #include "lambert/base/frame.h"
 #include "lambert/base/hash.h"
@@ -41,11 +41,14 @@ TriangleMesh flatten(const SceneGraph& graph) {
 
 class RawEmbree {
  public:
-  explicit RawEmbree(TriangleMesh mesh) : mesh_(std::move(mesh)), device_(rtcNewDevice("threads=2")), scene_(rtcNewScene(device_)) {
+  explicit RawEmbree(TriangleMesh mesh)
+      : mesh_(std::move(mesh)), device_(rtcNewDevice("threads=2")), scene_(rtcNewScene(device_)) {
     mesh_.positions.emplace_back(0);  // Embree reads 16 bytes at the last vertex
     RTCGeometry g = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh_.positions.data(), 0, sizeof(Vec3), mesh_.positions.size() - 1);
-    rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh_.triangles.data(), 0, sizeof(Triangle), mesh_.triangles.size());
+    rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh_.positions.data(), 0, sizeof(Vec3),
+                               mesh_.positions.size() - 1);
+    rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh_.triangles.data(), 0,
+                               sizeof(Triangle), mesh_.triangles.size());
     rtcCommitGeometry(g);
     rtcAttachGeometry(scene_, g);
     rtcReleaseGeometry(g);
@@ -88,7 +91,9 @@ class RawEmbree {
   RTCScene scene_;
 };
 
-float random(std::size_t i, int dimension) { return hash_to_float(hash_values(static_cast<std::uint64_t>(i), dimension)); }
+float random(std::size_t i, int dimension) {
+  return hash_to_float(hash_values(static_cast<std::uint64_t>(i), dimension));
+}
 
 struct Rays {
   std::vector<Ray> camera, bounce, shadow;
@@ -96,7 +101,8 @@ struct Rays {
 
 Rays make_rays(const Scene& scene, const Camera& camera) {
   Rays rays;
-  const Vec3 lamp(scene.bounds().centre().x, scene.bounds().max.y - 0.02f * scene.bounds().diagonal().y, scene.bounds().centre().z);
+  const Vec3 lamp(scene.bounds().centre().x, scene.bounds().max.y - 0.02f * scene.bounds().diagonal().y,
+                  scene.bounds().centre().z);
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x);
@@ -115,11 +121,13 @@ Rays make_rays(const Scene& scene, const Camera& camera) {
   return rays;
 }
 
-double median_rate(const std::vector<Ray>& rays, const std::function<std::size_t(const std::vector<Ray>&)>& trace, std::vector<double>& rates) {
+double median_rate(const std::vector<Ray>& rays, const std::function<std::size_t(const std::vector<Ray>&)>& trace,
+                   std::vector<double>& rates) {
   const auto start = std::chrono::steady_clock::now();
   volatile std::size_t hits = trace(rays);
   static_cast<void>(hits);
-  rates.push_back(static_cast<double>(rays.size()) / std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / 1e6);
+  rates.push_back(static_cast<double>(rays.size()) /
+                  std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / 1e6);
   std::vector<double> sorted = rates;
   std::sort(sorted.begin(), sorted.end());
   return sorted[sorted.size() / 2];
@@ -131,7 +139,8 @@ std::size_t count_hits(const std::vector<Ray>& rays, const Query& query) {
 }
 
 void compare(const char* scene_name, const char* kind, const std::vector<Ray>& rays,
-             const std::function<std::size_t(const std::vector<Ray>&)>& raw, const std::function<std::size_t(const std::vector<Ray>&)>& ours,
+             const std::function<std::size_t(const std::vector<Ray>&)>& raw,
+             const std::function<std::size_t(const std::vector<Ray>&)>& ours,
              const std::function<std::size_t(const std::vector<Ray>&)>& shaded) {
   std::vector<double> raw_rates, our_rates, shaded_rates;
   double a = 0, b = 0, c = 0;
@@ -160,18 +169,21 @@ void run(const char* name, SceneGraph graph) {
   };
   const auto our_surface = [&](const std::vector<Ray>& all) {
     Hit hit;
-    return count_hits(all, [&](const Ray& r) { return scene.intersect(r, hit) && scene.surface_point(r, hit).ng.x < 2; });
+    return count_hits(all,
+                      [&](const Ray& r) { return scene.intersect(r, hit) && scene.surface_point(r, hit).ng.x < 2; });
   };
   compare(name, "camera", rays.camera, raw_closest, our_closest, our_surface);
   compare(name, "bounce", rays.bounce, raw_closest, our_closest, our_surface);
   compare(
-      name, "shadow", rays.shadow, [&](const auto& all) { return count_hits(all, [&](const Ray& r) { return raw.occluded(r); }); },
+      name, "shadow", rays.shadow,
+      [&](const auto& all) { return count_hits(all, [&](const Ray& r) { return raw.occluded(r); }); },
       [&](const auto& all) { return count_hits(all, [&](const Ray& r) { return scene.occluded(r); }); }, {});
 }
 
 SceneGraph cornell_box_with_knot() {
   SceneGraph graph = cornell_box();
-  const NodeId node = graph.add_node(graph.root(), "knot", Transform::translate({0.28f, 0.27f, -0.28f}) * Transform::scale(Vec3(0.07f)));
+  const NodeId node = graph.add_node(graph.root(), "knot",
+                                     Transform::translate({0.28f, 0.27f, -0.28f}) * Transform::scale(Vec3(0.07f)));
   graph.add_surface(node, {.geometry = graph.add_geometry(torus_knot(2, 3, 2000, 125)), .material = 0});
   return graph;
 }

@@ -50,6 +50,23 @@ class Render(CommandLineTest):
         self.assertLess(time.monotonic() - start, 20)
 
 
+class DefaultOutput(CommandLineTest):
+    SCENE = 'Camera "perspective"\nFilm "rgb" "integer xresolution" 8 "integer yresolution" 8\nWorldBegin\nShape "sphere"\n'
+
+    def test_is_beside_the_scene_and_may_be_made_again(self):
+        (self.folder / "ball.pbrt").write_text(self.SCENE)
+        for _ in range(2):
+            done = self.lambert("render", "ball.pbrt", "--spp", 1)
+            self.assertEqual(done.stdout.strip(), str(self.folder / "ball.png"))
+
+    def test_does_not_replace_a_texture_of_the_same_name(self):
+        (self.folder / "ball.pbrt").write_text(self.SCENE)
+        (self.folder / "ball.png").write_bytes(b"a texture")
+        done = self.lambert("render", "ball.pbrt", "--spp", 1, status=1)
+        self.assertIn("ball.png exists", done.stderr)
+        self.assertEqual((self.folder / "ball.png").read_bytes(), b"a texture")
+
+
 class Mistakes(CommandLineTest):
     def expect(self, words, *arguments, status=1):
         done = self.lambert(*arguments, status=status)

@@ -75,8 +75,7 @@ TestResult chi_square(std::span<const double> observed, std::span<const double> 
     // Nothing expected: a thousandth of the samples there is an error of the density, less is that of its integral.
     if (expected[i] <= 0 && observed[i] > 1e-3 * total) {
       TestResult r = judged(0, observed[i], 1, tests);
-      r.message =
-          "cell " + std::to_string(i) + " has " + std::to_string(observed[i]) + " samples where none can be";
+      r.message = "cell " + std::to_string(i) + " has " + std::to_string(observed[i]) + " samples where none can be";
       return r;
     }
     pooled_observed += observed[i], pooled_expected += expected[i];

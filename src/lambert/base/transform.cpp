@@ -11,6 +11,7 @@ Transform::Transform(const Mat4& m) : m_(m) {
   const glm::dmat4 wide(m);
   const double det = glm::determinant(wide);
   inverse_ = det != 0 && std::isfinite(det) ? Mat4(glm::inverse(wide)) : Mat4(0);
+  if (!is_finite(inverse_)) inverse_ = Mat4(0);
 }
 
 Transform Transform::translate(Vec3 d) { return {glm::translate(Mat4(1), d), glm::translate(Mat4(1), -d)}; }

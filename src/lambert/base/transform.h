@@ -10,7 +10,7 @@ namespace lambert {
 class Transform {
  public:
   Transform() = default;
-  /// Inverts `m`. A singular matrix gives an inverse of zeros; see is_singular().
+  /// Inverts `m`. A singular matrix, or one whose inverse overflows, gives an inverse of zeros; see is_singular().
   explicit Transform(const Mat4& m);
   Transform(const Mat4& m, const Mat4& inverse) : m_(m), inverse_(inverse) {}
 

@@ -105,6 +105,7 @@ TEST(Transform, LookAtPlacesTheCamera) {
 TEST(Transform, KnowsSingularAndMirroredMaps) {
   EXPECT_TRUE(Transform::scale({1, 0, 1}).is_singular());
   EXPECT_FALSE(Transform::scale({1, 1e-6f, 1}).is_singular());
+  EXPECT_TRUE(Transform::scale({1, 1e-39f, 1}).is_singular()) << "its inverse overflows";
   EXPECT_TRUE(Transform::scale({1, -1, 1}).swaps_handedness());
   EXPECT_FALSE(Transform::scale({-1, -1, 1}).swaps_handedness());
   EXPECT_TRUE(Transform().is_identity());

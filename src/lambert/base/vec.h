@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <cmath>
 #include <numbers>
 
 namespace lambert {
@@ -34,5 +35,13 @@ inline constexpr float one_minus_epsilon = 0x1.fffffep-1f;
 
 inline float sqr(float x) { return x * x; }
 inline float length_squared(Vec3 v) { return dot(v, v); }
+
+inline bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+inline bool is_finite(const Mat4& m) {
+  bool finite = true;
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row) finite = finite && std::isfinite(m[column][row]);
+  return finite;
+}
 
 }  // namespace lambert

@@ -21,8 +21,7 @@ std::vector<Vec3> checked(std::vector<Vec3> vertices) {
   if (vertices.size() < 3) throw Error("a polygon needs at least 3 vertices, got " + std::to_string(vertices.size()));
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vec3 v = vertices[i];
-    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-      throw Error("vertex " + std::to_string(i) + " of a polygon is not finite");
+    if (!is_finite(v)) throw Error("vertex " + std::to_string(i) + " of a polygon is not finite");
   }
   return vertices;
 }

@@ -8,7 +8,7 @@ namespace lambert {
 namespace {
 
 bool finite(float x) { return std::isfinite(x); }
-bool finite(Vec3 v) { return finite(v.x) && finite(v.y) && finite(v.z); }
+bool finite(Vec3 v) { return is_finite(v); }
 bool finite(Rgb c) { return is_finite(c); }
 bool finite(const RgbParameter& p) { return finite(p.value); }
 bool finite(const FloatParameter& p) { return finite(p.value); }

@@ -3,7 +3,6 @@
 #include "lambert/base/error.h"
 
 #include <cassert>
-#include <cmath>
 
 namespace lambert {
 namespace {
@@ -11,13 +10,6 @@ namespace {
 Bounds3 local_bounds(const Geometry& g) {
   if (const auto* mesh = std::get_if<TriangleMesh>(&g)) return mesh->bounds();
   return std::visit([](const auto& shape) { return shape.bounds(); }, std::get<Shape>(g));
-}
-
-bool is_finite(const Transform& t) {
-  for (int c = 0; c < 4; ++c)
-    for (int r = 0; r < 4; ++r)
-      if (!std::isfinite(t.matrix()[c][r])) return false;
-  return true;
 }
 
 }  // namespace
@@ -39,7 +31,7 @@ void SceneGraph::mark_boxes_above(NodeId n) {
 }
 
 void SceneGraph::set_local_transform(NodeId n, const Transform& t) {
-  if (!is_finite(t)) throw Error("node '" + nodes_[n].name + "': a number of its transform is not finite");
+  if (!is_finite(t.matrix())) throw Error("node '" + nodes_[n].name + "': a number of its transform is not finite");
   nodes_[n].local = t;
   mark_boxes_above(n);
   // Everything under it moves along; what is dirty already has dirty children.

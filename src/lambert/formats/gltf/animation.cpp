@@ -115,7 +115,8 @@ glm::quat interpolated_rotation(const Keys& keys) {
 void apply(const Keys& keys, const std::string& path, NodePose& pose, const JsonView& place) {
   const std::size_t needed = path == "rotation" ? 4 : path == "translation" || path == "scale" ? 3 : 0;
   if (needed != 0 && keys.value.size() != needed)
-    place.fail("a " + path + " needs " + std::to_string(needed) + " numbers, found " + std::to_string(keys.value.size()));
+    place.fail("a " + path + " needs " + std::to_string(needed) + " numbers, found " +
+               std::to_string(keys.value.size()));
   if (path == "weights") {
     pose.weights = interpolated(keys);
     return;

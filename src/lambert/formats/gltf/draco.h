@@ -19,8 +19,8 @@ struct DracoMesh {
   std::map<std::string, Attribute> attributes;
 };
 
-/// `primitive` has the extension KHR_draco_mesh_compression. Throws Error there when the data are malformed or have more
-/// faces than the accessor of the indices says.
+/// `primitive` has the extension KHR_draco_mesh_compression. Throws Error there when the data are malformed or have
+/// more faces than the accessor of the indices says.
 DracoMesh decode_draco(Document& document, const JsonView& primitive);
 
 }  // namespace lambert::gltf

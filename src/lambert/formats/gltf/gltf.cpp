@@ -44,7 +44,8 @@ class SceneReader {
         if (!hierarchy_.has_parent(i)) nodes.push_back(i);
       return nodes;
     }
-    if (scenes.size() > 1) document_.notes.add("only one of " + std::to_string(scenes.size()) + " glTF scenes is shown");
+    if (scenes.size() > 1)
+      document_.notes.add("only one of " + std::to_string(scenes.size()) + " glTF scenes is shown");
     const JsonView scene = wanted ? document_.referred("scenes", wanted) : scenes[std::size_t{0}];
     std::vector<bool> listed(hierarchy_.size());
     for_each(scene["nodes"], [&](const JsonView& reference) {

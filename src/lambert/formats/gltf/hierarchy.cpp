@@ -23,12 +23,6 @@ NodePose read_pose(const JsonView& node) {
   return pose;
 }
 
-bool is_finite(const Mat4& m) {
-  float sum = 0;
-  for (int i = 0; i < 16; ++i) sum += 0 * m[i / 4][i % 4];
-  return sum == 0;
-}
-
 }  // namespace
 
 glm::quat rotation_of(Vec4 q) {

@@ -26,8 +26,8 @@ TextureFilter filter_of(const JsonView& sampler) {
 
 bool is_ktx2(std::span<const std::byte> bytes) {
   static constexpr std::array<unsigned char, 7> magic{0xab, 'K', 'T', 'X', ' ', '2', '0'};
-  return bytes.size() >= magic.size() &&
-         std::equal(magic.begin(), magic.end(), bytes.begin(), [](unsigned char m, std::byte b) { return std::byte(m) == b; });
+  return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin(),
+                                                    [](unsigned char m, std::byte b) { return std::byte(m) == b; });
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST(Mtl, OpacityAndEmission) {
   const SceneGraph graph = read("Kd 1 1 1\nd .25\nKe 3 2 1\n", notes);
   EXPECT_EQ(first_material(graph).alpha_mode, AlphaMode::blend);
   EXPECT_EQ(first_material(graph).alpha.value, 0.25f);
-  const auto& emission = shown(graph).at(0).surface.emission;
+  const std::optional<Emission> emission = shown(graph).at(0).surface.emission;
   ASSERT_TRUE(emission);
   EXPECT_EQ(emission->radiance.value, Rgb(3, 2, 1));
   EXPECT_TRUE(emission->two_sided);

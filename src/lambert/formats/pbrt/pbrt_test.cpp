@@ -68,7 +68,7 @@ TEST(Pbrt, OldSyntaxIsRefusedWithAdvice) {
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "needs " << path;
   Notes notes;
   const std::string message = error_of([&] { read_file(path, notes); });
-  EXPECT_NE(message.find("killeroo-simple.pbrt:4:1: unknown film 'image'"), std::string::npos) << message;
+  EXPECT_NE(message.find("killeroo-simple.pbrt:5:1: unknown film 'image'"), std::string::npos) << message;
   EXPECT_NE(message.find("pbrt-v2 or v3"), std::string::npos) << message;
 }
 

@@ -26,7 +26,7 @@ TEST(PbrtTokenizer, Escapes) {
   Tokenizer t(R"("a\"b\\c\tn" "C:\quatsch")", "a.pbrt");
   EXPECT_EQ(t.expect_string("a string"), "a\"b\\c\tn");
   EXPECT_EQ(error_of([&] { t.expect_string("a string"); }),
-            "a.pbrt:1:18: unknown escape '\\q' (known: b f n r t \\ ' \")");
+            "a.pbrt:1:17: unknown escape '\\q' (known: b f n r t \\ ' \")");
 }
 
 TEST(PbrtTokenizer, StringsEndOnTheirLine) {

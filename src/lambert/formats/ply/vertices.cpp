@@ -83,11 +83,11 @@ void check_finite(const TriangleMesh& mesh, const std::string& name) {
   };
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const Vec3 p = mesh.positions[i];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) fail(i, "position");
+    if (!is_finite(p)) fail(i, "position");
   }
   for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
     const Vec3 n = mesh.normals[i];
-    if (!std::isfinite(n.x) || !std::isfinite(n.y) || !std::isfinite(n.z)) fail(i, "normal");
+    if (!is_finite(n)) fail(i, "normal");
   }
   for (std::size_t i = 0; i < mesh.uvs.size(); ++i) {
     if (!std::isfinite(mesh.uvs[i].x) || !std::isfinite(mesh.uvs[i].y)) fail(i, "texture coordinate");
