@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Whole frames: samples per CPU-second, relative error, memory and start-up time of the program.
 
-usage: frames.py LAMBERT [--runs N] [--reference-spp N]
+usage: frames.py LAMBERT [--runs N] [--reference-spp N] [--plots FOLDER]
 
 Every figure is the median of N runs. The relative mean squared error is mean((a - r)² / (r² + 0.01)) over all channels
 against a reference of many more samples and another seed.
@@ -14,12 +14,27 @@ import pathlib
 import statistics
 import struct
 import subprocess
+import sys
 import tempfile
 import time
 
 
-def torus_knot(path, p=2, q=3, along=2000, around=125, radius=0.07, centre=(0.278, 0.27, -0.28)):
-    """A binary PLY of 2 * along * around triangles."""
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "bench"))
+import svg_plot  # noqa: E402
+
+KNOT_SCENE = """Include "{box}"
+AttributeBegin
+  Translate 278 274 280
+  Scale 70 70 70
+  Material "diffuse" "rgb reflectance" [ .7 .7 .7 ]
+  Shape "plymesh" "string filename" "knot.ply"
+AttributeEnd
+"""
+
+
+def torus_knot(path, p=2, q=3, along=2000, around=125):
+    """A binary PLY of 2 * along * around triangles, on a torus of radii 2 and 1."""
     points, faces = array.array("f"), bytearray()
 
     def curve(t):
@@ -38,7 +53,7 @@ def torus_knot(path, p=2, q=3, along=2000, around=125, radius=0.07, centre=(0.27
         lb, ln = math.hypot(*binormal), math.hypot(*normal)
         for j in range(around):
             s, c = math.sin(2 * math.pi * j / around) * 0.45, math.cos(2 * math.pi * j / around) * 0.45
-            points.extend(o + radius * (x + c * n / ln + s * d / lb) for o, x, n, d in zip(centre, a, normal, binormal))
+            points.extend(x + c * n / ln + s * d / lb for x, n, d in zip(a, normal, binormal))
     for i in range(along):
         for j in range(around):
             k, l, m, n = (x * around + y for x in (i, (i + 1) % along) for y in (j, (j + 1) % around))
@@ -74,6 +89,7 @@ def measured(command, runs):
 class Bench:
     def __init__(self, lambert, folder, runs):
         self.lambert, self.folder, self.runs = lambert, folder, runs
+        self.rates = []
 
     def render(self, *arguments):
         subprocess.run([self.lambert, "render", *map(str, arguments), "--progress", "none", "--stats", self.folder / "stats.json"],
@@ -82,19 +98,22 @@ class Bench:
 
     def frame(self, name, *arguments):
         runs = [self.render(*arguments, "-o", self.folder / "frame.pfm") for _ in range(self.runs)]
-        rate = statistics.median(r["samples_per_cpu_second"] for r in runs)
-        rays = statistics.median(r["rays"] / r["render_cpu_seconds"] for r in runs)
+        rate = statistics.median(r["samples_per_cpu_second"] for r in runs) / 1e6
+        rays = statistics.median(r["rays"] / r["render_cpu_seconds"] for r in runs) / 1e6
         memory = max(r["peak_megabytes"] for r in runs)
-        print(f"{name:<28} {rate / 1e6:6.2f} Msamples per CPU-second, {rays / 1e6:6.2f} Mrays per CPU-second, peak {memory:.0f} MB", flush=True)
+        self.rates.append((name, rate, "samples"))
+        print(f"{name:<28} {rate:6.2f} Msamples per CPU-second, {rays:6.2f} Mrays per CPU-second, peak {memory:.0f} MB", flush=True)
 
-    def error(self, name, reference_samples, *arguments):
-        self.render(*arguments, "--spp", reference_samples, "--seed", 99, "-o", self.folder / "reference.pfm")
-        reference = read_pfm(self.folder / "reference.pfm")
+    def reference(self, samples, *arguments):
+        self.render(*arguments, "--spp", samples, "--seed", 99, "-o", self.folder / "reference.pfm")
+        return read_pfm(self.folder / "reference.pfm")
+
+    def error(self, reference, *arguments):
         errors = []
         for seed in range(self.runs):
-            self.render(*arguments, "--spp", 64, "--seed", seed, "-o", self.folder / "frame.pfm")
+            self.render(*arguments, "--seed", seed, "-o", self.folder / "frame.pfm")
             errors.append(relative_mse(read_pfm(self.folder / "frame.pfm"), reference))
-        print(f"{name:<28} relative MSE at 64 samples {statistics.median(errors):.5f}", flush=True)
+        return statistics.median(errors)
 
     def first_sample(self, name, scene):
         seconds = [self.render(scene, "--spp", 1, "--resolution", "512x512", "-o", self.folder / "frame.pfm")["first_sample_seconds"]
@@ -102,24 +121,42 @@ class Bench:
         print(f"{name:<28} first sample after {statistics.median(seconds):.2f} s", flush=True)
 
 
+def convergence(bench, reference_samples):
+    """Relative error against samples, for each sampler."""
+    small = ["--resolution", "128x128", "--filter", "box", "--set", "max-depth=8"]
+    reference = bench.reference(16 * reference_samples, *small)
+    counts = [1, 2, 4, 8, 16, 32, 64, 128, 256]
+    return {sampler: [(n, bench.error(reference, *small, "--sampler", sampler, "--spp", n)) for n in counts]
+            for sampler in ("independent", "stratified", "halton", "sobol", "blue-noise")}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("lambert", type=pathlib.Path)
     parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--reference-spp", type=int, default=1024)
+    parser.add_argument("--plots", type=pathlib.Path)
     options = parser.parse_args()
     box = ["--resolution", "512x512", "--filter", "box", "--set", "max-depth=8"]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         bench = Bench(options.lambert.resolve(), folder, options.runs)
         print(f"{'start (--version)':<28} {1000 * measured([bench.lambert, '--version'], 9):.1f} ms", flush=True)
-        bench.frame("Cornell box, 512², depth 8", *box, "--spp", 64)
-        bench.error("Cornell box, 512², depth 8", options.reference_spp, *box)
+        bench.frame("Cornell box", *box, "--spp", 64)
+        reference = bench.reference(options.reference_spp, *box)
+        print(f"{'Cornell box':<28} relative MSE at 64 samples {bench.error(reference, *box, '--spp', 64):.5f}", flush=True)
         torus_knot(folder / "knot.ply")
-        (folder / "knot.pbrt").write_text((pathlib.Path(__file__).parent / "knot.pbrt").read_text())
+        (folder / "knot.pbrt").write_text(KNOT_SCENE.format(box=ROOT / "scenes/cornell-box/cornell-box.pbrt"))
         bench.frame("with a 500k-triangle knot", folder / "knot.pbrt", *box, "--spp", 64)
         torus_knot(folder / "million.ply", along=4000)
         bench.first_sample("one million triangles (PLY)", folder / "million.ply")
+        if options.plots:
+            options.plots.mkdir(parents=True, exist_ok=True)
+            (options.plots / "frames.svg").write_text(
+                svg_plot.bars("Whole frames, 512 x 512, depth 8", "Msamples per CPU-second", bench.rates))
+            (options.plots / "convergence.svg").write_text(
+                svg_plot.log_lines("Cornell box: relative mean squared error", "samples per pixel", "relative MSE",
+                                   convergence(bench, options.reference_spp)))
 
 
 if __name__ == "__main__":
