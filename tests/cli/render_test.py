@@ -1,4 +1,5 @@
 import signal
+import struct
 import subprocess
 import time
 
@@ -48,6 +49,27 @@ class Render(CommandLineTest):
         start = time.monotonic()
         self.lambert("render", "--time-limit", "0.5", "--resolution", "64x64")
         self.assertLess(time.monotonic() - start, 20)
+
+
+class Environment(CommandLineTest):
+    BLACK_BALL = 'Camera "perspective"\nWorldBegin\nTranslate 0 0 3\nMaterial "diffuse" "rgb reflectance" [ 0 0 0 ]\nShape "sphere"\n'
+
+    def corner_pixel(self, *arguments):
+        (self.folder / "ball.pbrt").write_text(self.BLACK_BALL)
+        self.lambert("render", "ball.pbrt", *SMALL, *arguments, "-o", "ball.pfm")
+        return struct.unpack("<3f", (self.folder / "ball.pfm").read_bytes()[-12:])
+
+    def test_an_image_is_seen_all_around(self):
+        (self.folder / "sky.pfm").write_bytes(b"PF\n2 1\n-1.0\n" + struct.pack("<6f", 1, 2, 3, 1, 2, 3))
+        for seen, expected in zip(self.corner_pixel("--environment", "sky.pfm"), (1, 2, 3)):
+            self.assertAlmostEqual(seen, expected, places=4)
+
+    def test_studio(self):
+        self.assertGreater(min(self.corner_pixel("--environment", "studio")), 0)
+
+    def test_a_file_that_is_no_image(self):
+        (self.folder / "sky.hdr").write_text("no image")
+        self.assertIn("sky.hdr", self.lambert("render", "--environment", "sky.hdr", status=1).stderr)
 
 
 class DefaultOutput(CommandLineTest):

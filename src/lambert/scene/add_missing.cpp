@@ -12,7 +12,7 @@ bool has_light(const SceneGraph& graph) {
   if (!graph.lights().empty()) return true;
   for (NodeId n = 0; n < graph.node_count(); ++n)
     for (const Surface& s : graph.surfaces(n))
-      if (s.emission && !is_black(s.emission->radiance.value)) return true;
+      if (s.emission && s.emission->casts_light && !is_black(s.emission->radiance.value)) return true;
   return false;
 }
 
