@@ -101,15 +101,25 @@ float Camera::axis_depth(const Ray& ray, float t) const {
 }
 
 Camera framing_camera(const Bounds3& bounds, Vec2i resolution) {
-  const Angle fov = degrees(40);
-  const float radius = bounds.radius() > 0 ? bounds.radius() : 1;
+  constexpr float part_of_image = 0.92f;
   const Vec3 centre = bounds.empty() ? Vec3(0) : bounds.centre();
   const Vec3 back = normalize(Vec3(0.35f, 0.3f, 1));
+  const Perspective lens = perspective(degrees(40), FovAxis::shorter, resolution);
+  // A corner at (x, y, z) from the centre, z towards the camera, is in the image when |x| <= half_width (distance - z),
+  // and so in y.
+  const Transform to_camera = Transform::look_at(back, Vec3(0), {0, 1, 0}).inverse();
+  float distance = 0;
+  for (int i = 0; i < 8 && !bounds.empty(); ++i) {
+    const Vec3 corner = to_camera.vector(bounds.corner(i) - centre);
+    const float sideways = std::max(std::abs(corner.x) / lens.half_width, std::abs(corner.y) / lens.half_height);
+    distance = std::max(distance, corner.z + sideways / part_of_image);
+  }
+  if (!(distance > 0)) distance = 1;
   Camera c;
   c.name = "framing";
   c.resolution = resolution;
-  c.projection = perspective(fov, FovAxis::shorter, resolution);
-  c.to_world = Transform::look_at(centre + back * (1.05f * radius / sin(0.5f * fov)), centre, {0, 1, 0});
+  c.projection = lens;
+  c.to_world = Transform::look_at(centre + back * distance, centre, {0, 1, 0});
   return c;
 }
 

@@ -155,7 +155,7 @@ TEST(FramingCamera, SeesAllCornersAndFillsTheImage) {
         widest = std::max({widest, std::abs(q.x / q.z) / p.half_width, std::abs(q.y / q.z) / p.half_height});
       }
       EXPECT_LT(widest, 1);
-      EXPECT_GT(widest, 0.5f);
+      EXPECT_GT(widest, 0.85f);
     }
 }
 
