@@ -91,7 +91,8 @@ void Sampler::prepare(const SamplerSettings& settings, Vec2i pixel) {
   const std::uint64_t morton =
       spread_bits(static_cast<std::uint32_t>(pixel.x)) | spread_bits(static_cast<std::uint32_t>(pixel.y)) << 1;
   const auto side = static_cast<std::uint32_t>(std::max({settings.resolution.x, settings.resolution.y, 1}));
-  z_index_ = morton << sample_bits | sample_;
+  // A sum: samples beyond the planned ones go on in the next pixel's points instead of coming back to their own.
+  z_index_ = (morton << sample_bits) + sample_;
   planned_ = sample_bits / 2 + static_cast<std::uint32_t>(std::bit_width(side - 1));
   key_ = mix_bits(settings.seed + 1);  // the same for all pixels: they share one sequence
 }
