@@ -30,6 +30,12 @@ TEST(ProjectedRectangle, HasTheSolidAngleOfItsFourCorners) {
   }
 }
 
+TEST(ProjectedRectangle, CubeFacesAndOctants) {
+  EXPECT_NEAR(ProjectedRectangle({-1, -1}, {2, 2}).solid_angle(), 4 * pi / 6, 2e-6f);
+  EXPECT_NEAR(ProjectedRectangle({0, 0}, {1, 1}).solid_angle(), 4 * pi / 24, 1e-6f);
+  EXPECT_NEAR(ProjectedRectangle({0, 0}, {900, 900}).solid_angle(), pi / 2, 3e-3f) << "an octant but for a rim";
+}
+
 // Left of a sample lies the part u.x of the solid angle, and on its column below it the part u.y.
 TEST(ProjectedRectangle, CutsTheSolidAngleIntoEqualParts) {
   for (const auto& [c, s] : cases) {

@@ -105,8 +105,11 @@ PiecewiseConstant1D::Sample PiecewiseConstant1D::sample(float u) const {
   float within = 0;
   const Bin bin = bins_.sample(u, within);
   const auto n = static_cast<float>(size());
-  const float x = (static_cast<float>(bin.index) + within) / n;
-  return {std::min(x, one_minus_epsilon), bin.probability * n, bin.index};
+  float x = std::min((static_cast<float>(bin.index) + within) / n, one_minus_epsilon);
+  // Rounding may have carried x over an end of its bin, to where the density is another, perhaps 0.
+  while (bin_of(x) > bin.index) x = std::nextafter(x, 0.0f);
+  while (bin_of(x) < bin.index) x = std::nextafter(x, 1.0f);
+  return {x, bin.probability * n, bin.index};
 }
 
 std::size_t PiecewiseConstant1D::bin_of(float x) const {

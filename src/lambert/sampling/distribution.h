@@ -59,7 +59,7 @@ class PiecewiseConstant1D {
     float pdf = 0;
     std::size_t bin = 0;
   };
-  Sample sample(float u) const;
+  Sample sample(float u) const;  ///< pdf(x) at its x is its pdf: rounding never moves x into another bin
   float pdf(float x) const;
   float to_uniform(float x) const;  ///< the inverse of sample: the cumulative density at x
   std::size_t size() const { return bins_.size(); }

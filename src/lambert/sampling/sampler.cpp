@@ -32,14 +32,15 @@ std::uint32_t permuted(std::uint32_t i, std::uint32_t n, std::uint32_t key) {
   return (i + key) % n;
 }
 
-/// The radical inverse of `i` in `base`, each digit permuted by a shift that depends on the digits before it: a
-/// restricted Owen scrambling (of cyclic shifts), which keeps stratification and makes the point uniform.
+/// The radical inverse of `i` in `base`, each digit permuted at random, dependent on the digits before it: Owen
+/// scrambling, which keeps stratification and makes the point uniform. (Mere shifts would do that too, but leave the
+/// lines on which points of large bases lie.)
 float scrambled_radical_inverse(std::uint32_t base, std::uint64_t i, std::uint64_t key) {
   double value = 0, unit = 1.0 / base;
   std::uint64_t prefix = key;
   for (; unit > 0x1p-30; unit /= base, i /= base) {
-    const auto shift = static_cast<std::uint32_t>(mix_bits(prefix) % base);
-    const auto digit = static_cast<std::uint32_t>((i % base + shift) % base);
+    const std::uint32_t digit =
+        permuted(static_cast<std::uint32_t>(i % base), base, static_cast<std::uint32_t>(mix_bits(prefix)));
     value += digit * unit;
     prefix = mix_bits(prefix + digit + 1);
   }
@@ -91,7 +92,8 @@ void Sampler::prepare(const SamplerSettings& settings, Vec2i pixel) {
   const std::uint64_t morton =
       spread_bits(static_cast<std::uint32_t>(pixel.x)) | spread_bits(static_cast<std::uint32_t>(pixel.y)) << 1;
   const auto side = static_cast<std::uint32_t>(std::max({settings.resolution.x, settings.resolution.y, 1}));
-  z_index_ = morton << sample_bits | sample_;
+  // A sum: samples beyond the planned ones go on in the next pixel's points instead of coming back to their own.
+  z_index_ = (morton << sample_bits) + sample_;
   planned_ = sample_bits / 2 + static_cast<std::uint32_t>(std::bit_width(side - 1));
   key_ = mix_bits(settings.seed + 1);  // the same for all pixels: they share one sequence
 }

@@ -18,9 +18,9 @@ class SphericalTriangle {
   Vec2 to_square(Vec3 w) const;
 
  private:
-  Vec3 a_, b_, c_;   // unit directions of the vertices
-  float alpha_ = 0;  // angle at a
-  float cos_alpha_ = 1, sin_alpha_ = 0, cos_c_ = 1;
+  Vec3 a_, b_, c_, e_;      // unit: the vertices, and across a towards c
+  float one_plus_ab_, eb_;  // 1 + a.b, e.b
+  float volume_;            // |a.(b x e)|
   float solid_angle_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include "lambert/material/normal_map.h"
 #include "lambert/material/spectrum.h"
 #include "lambert/sampling/mis.h"
+#include "lambert/sampling/roulette.h"
 
 #include <algorithm>
 #include <cmath>
@@ -192,9 +193,9 @@ class PathTracer {
     if (depth_ + 1 < settings_.roulette_depth) return true;
     // Undoing the scaling of radiance by refraction: a path inside glass is not worth less for it.
     const float survival = std::min(0.95f, max_component(throughput_) * eta_scale_);
-    if (u_roulette_ >= survival) return false;
-    throughput_ *= 1 / survival;
-    return true;
+    const float factor = russian_roulette(survival, u_roulette_);
+    throughput_ *= factor;
+    return factor > 0;
   }
 
   const Scene& scene_;
