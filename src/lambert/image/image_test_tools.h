@@ -18,7 +18,7 @@ namespace lambert {
 inline Image noise(int width, int height, std::vector<std::string> channels, float top = 1) {
   Image image(width, height, std::move(channels));
   std::uint64_t i = 0;
-  for (float& v : image.pixels()) v = top * static_cast<float>(hash(++i) >> 40) * 0x1p-24f;
+  for (float& v : image.pixels()) v = top * hash_to_float(hash_values(++i));
   return image;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace lambert {
@@ -75,10 +76,11 @@ T field(TIFF* tiff, std::uint32_t tag, T fallback) {
   return value;
 }
 
-std::uint16_t kind_of_alpha(TIFF* tiff) {
+/// What the first extra sample is; nothing without one.
+std::optional<std::uint16_t> kind_of_alpha(TIFF* tiff) {
   std::uint16_t count = 0, *kinds = nullptr;
-  return TIFFGetField(tiff, TIFFTAG_EXTRASAMPLES, &count, &kinds) && count > 0 ? kinds[0]
-                                                                               : std::uint16_t{EXTRASAMPLE_UNSPECIFIED};
+  if (!TIFFGetField(tiff, TIFFTAG_EXTRASAMPLES, &count, &kinds) || count == 0) return std::nullopt;
+  return kinds[0];
 }
 
 /// Divides colours by alpha, the last channel.
@@ -157,12 +159,15 @@ Texels decode_rgba(TIFF* tiff, const std::string& name, int width, int height, s
   if (!TIFFReadRGBAImageOriented(tiff, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
                                  pixels.data(), orientation, 1))
     decode_error(name, complaint.empty() ? "its kind of pixels is not supported" : complaint);
-  Texels t{.width = width, .height = height, .channels = 4};
-  t.bytes.reserve(4 * count);
-  for (const std::uint32_t p : pixels)
-    for (const std::uint32_t c : {TIFFGetR(p), TIFFGetG(p), TIFFGetB(p), TIFFGetA(p)})
+  const auto alpha = kind_of_alpha(tiff);
+  Texels t{.width = width, .height = height, .channels = alpha ? 4 : 3};
+  t.bytes.reserve(static_cast<std::size_t>(t.channels) * count);
+  for (const std::uint32_t p : pixels) {
+    for (const std::uint32_t c : {TIFFGetR(p), TIFFGetG(p), TIFFGetB(p)})
       t.bytes.push_back(static_cast<std::uint8_t>(c));
-  if (kind_of_alpha(tiff) != EXTRASAMPLE_UNSPECIFIED) make_straight(t);  // libtiff multiplies what is not yet
+    if (alpha) t.bytes.push_back(static_cast<std::uint8_t>(TIFFGetA(p)));
+  }
+  if (alpha && *alpha != EXTRASAMPLE_UNSPECIFIED) make_straight(t);  // libtiff multiplies what is not yet
   return t;
 }
 
