@@ -44,6 +44,14 @@ toff_t seek_memory(thandle_t handle, toff_t offset, int whence) {
   return m.at;
 }
 int close_memory(thandle_t) { return 0; }
+/// libtiff 4.5 refuses uncompressed tiles below 1 kB that it has to read in pieces.
+int map_memory(thandle_t handle, void** base, toff_t* size) {
+  const auto& m = *static_cast<Memory*>(handle);
+  *base = const_cast<std::byte*>(m.input.data());  // which libtiff does not write to
+  *size = m.input.size();
+  return !m.input.empty();
+}
+void unmap_memory(thandle_t, void*, toff_t) {}
 toff_t size_memory(thandle_t handle) { return static_cast<Memory*>(handle)->size(); }
 
 /// libtiff prints to standard error unless told otherwise; the first complaint of a thread is kept for the Error.
@@ -65,7 +73,7 @@ Tiff open(Memory& memory, const char* mode) {
                                                                                  TIFFOpenOptionsFree);
   TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), tmsize_t{1} << 30);
   return {TIFFClientOpenExt("memory", mode, &memory, read_memory, write_memory, seek_memory, close_memory, size_memory,
-                            nullptr, nullptr, options.get()),
+                            map_memory, unmap_memory, options.get()),
           TIFFClose};
 }
 
@@ -175,7 +183,7 @@ Texels decode_rgba(TIFF* tiff, const std::string& name, int width, int height, s
 
 Texels decode_tiff(Bytes data, const std::string& name) {
   Memory memory{.input = data};
-  const Tiff tiff = open(memory, "rm");
+  const Tiff tiff = open(memory, "r");
   if (!tiff) decode_error(name, complaint.empty() ? "is not a TIFF file" : complaint);
   const auto width = field<std::uint32_t>(tiff.get(), TIFFTAG_IMAGEWIDTH, 0),
              height = field<std::uint32_t>(tiff.get(), TIFFTAG_IMAGELENGTH, 0);
