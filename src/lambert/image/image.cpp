@@ -26,7 +26,7 @@ std::optional<std::size_t> Image::channel(std::string_view name) const {
 
 Rgb Image::rgb(int x, int y) const {
   const float* p = &pixels_[index(x, y)];
-  return channel_count() >= 3 ? Rgb(p[0], p[1], p[2]) : Rgb(p[0]);
+  return has_colour() ? Rgb(p[0], p[1], p[2]) : Rgb(p[0]);
 }
 
 void Image::set_rgb(int x, int y, Rgb c) {

@@ -27,12 +27,14 @@ class Image {
   const std::vector<std::string>& channels() const { return channels_; }
   std::optional<std::size_t> channel(std::string_view name) const;
   bool empty() const { return pixels_.empty(); }
+  /// Three or more channels, of which the first is not luminance ("Y").
+  bool has_colour() const { return channels_.size() >= 3 && channels_[0] != "Y"; }
 
   float& at(int x, int y, std::size_t c) { return pixels_[index(x, y) + c]; }
   float at(int x, int y, std::size_t c) const { return pixels_[index(x, y) + c]; }
-  /// The first three channels, or the first one thrice.
+  /// The first three channels, or the first one thrice when there is no colour.
   Rgb rgb(int x, int y) const;
-  void set_rgb(int x, int y, Rgb c);
+  void set_rgb(int x, int y, Rgb c);  ///< needs three channels
   std::span<float> pixels() { return pixels_; }
   std::span<const float> pixels() const { return pixels_; }
   std::span<float> row(int y) {

@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <exception>
+#include <new>
 
 namespace lambert {
 namespace {
@@ -105,7 +107,7 @@ Image to_image(const Texels& t) {
 /// Linear to sRGB, straight alpha, rounded to the codes of the format.
 DisplayImage to_display(const Image& image, const Format& format) {
   const auto alpha = format.keeps_alpha ? image.channel("A") : std::nullopt;
-  const bool colour = image.channel_count() >= 3 || format.needs_colour;
+  const bool colour = image.has_colour() || format.needs_colour;
   DisplayImage d{.width = image.width(),
                  .height = image.height(),
                  .channels = (colour ? 3 : 1) + (alpha ? 1 : 0),
@@ -135,6 +137,19 @@ DisplayImage to_display(const Image& image, const Format& format) {
 }  // namespace
 
 void decode_error(const std::string& name, const std::string& reason) { throw Error(name + ": " + reason); }
+
+void rethrow_named(const std::string& name) {
+  std::string reason;
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    reason = "not enough memory";
+  } catch (const std::exception& e) {
+    reason = e.what();
+  }
+  std::replace(reason.begin(), reason.end(), '\n', ' ');
+  throw Error(reason.starts_with(name + ":") ? reason : name + ": " + reason);
+}
 
 void check_image_size(const std::string& name, std::uint64_t width, std::uint64_t height, std::size_t bytes,
                       std::uint64_t most_pixels_per_byte) {
@@ -172,7 +187,12 @@ Texels decode_texels(Bytes data, const std::string& name) {
 
 void write_image(const std::filesystem::path& path, const Image& image) {
   const Format& format = format_of(path);
-  write_atomically(path, format.radiance ? format.encode(image) : format.encode_display(to_display(image, format)));
+  try {
+    if (image.empty()) throw Error("an image without pixels cannot be written");
+    write_atomically(path, format.radiance ? format.encode(image) : format.encode_display(to_display(image, format)));
+  } catch (const std::exception&) {
+    rethrow_named(path.string());
+  }
 }
 
 bool is_radiance_format(const std::filesystem::path& path) { return format_of(path).radiance; }

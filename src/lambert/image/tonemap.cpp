@@ -2,6 +2,7 @@
 
 #include "lambert/base/error.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -17,6 +18,9 @@ constexpr std::array<std::pair<std::string_view, ToneOperator>, 3> operators{{
 
 float filmic(float x) { return x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f); }
 
+/// Beyond this everything is white; it keeps the curves from dividing infinities.
+constexpr float white = 1e9f;
+
 Rgb mapped(Rgb c, ToneOperator curve) {
   switch (curve) {
     case ToneOperator::linear: return c;
@@ -29,6 +33,9 @@ Rgb mapped(Rgb c, ToneOperator curve) {
   }
   return c;
 }
+
+/// NaN is black.
+float displayable(float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; }
 
 }  // namespace
 
@@ -51,7 +58,9 @@ Image tonemap(const Image& image, const ToneSettings& settings) {
   const float scale = std::exp2(settings.exposure);
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x) {
-      out.set_rgb(x, y, clamp(mapped(image.rgb(x, y) * scale, settings.curve), 0, 1));
+      const Rgb c = image.rgb(x, y) * scale;
+      const Rgb shown = mapped({std::min(c.r, white), std::min(c.g, white), std::min(c.b, white)}, settings.curve);
+      out.set_rgb(x, y, {displayable(shown.r), displayable(shown.g), displayable(shown.b)});
       if (alpha) out.at(x, y, 3) = image.at(x, y, *alpha);
     }
   return out;

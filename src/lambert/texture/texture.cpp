@@ -16,6 +16,7 @@ float filtered_parity(float x, float w) {
     return half + std::max(0.0f, v - 2 * half - 1);
   };
   if (!(w > 1e-4f)) return static_cast<float>(static_cast<std::int64_t>(std::floor(x)) & 1);
+  x -= 2 * std::floor(0.5f * x);  // far from 0 the difference of the integrals would lose its digits
   return (integral(x + 0.5f * w) - integral(x - 0.5f * w)) / w;
 }
 

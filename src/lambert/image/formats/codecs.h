@@ -42,6 +42,8 @@ std::vector<std::byte> encode_tiff(const DisplayImage& image);
 std::vector<std::byte> encode_webp(const DisplayImage& image);
 
 [[noreturn]] void decode_error(const std::string& name, const std::string& reason);
+/// In a handler: throws what is being handled as an Error "name: reason", of one line.
+[[noreturn]] void rethrow_named(const std::string& name);
 /// Refuses sizes that are not positive, above 2^28 pixels, or so large that `bytes` of the file cannot hold them even
 /// if each byte were worth `most_pixels_per_byte` pixels.
 void check_image_size(const std::string& name, std::uint64_t width, std::uint64_t height, std::size_t bytes,

@@ -10,8 +10,10 @@
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <exception>
+#include <string_view>
 
 namespace lambert {
 namespace {
@@ -54,10 +56,10 @@ class MemoryOutput final : public Imf::OStream {
   std::size_t at_ = 0;
 };
 
-/// R, G, B, A first, in this order; then the others by name.
+/// R, G, B, Y, A first, in this order; then the others by name.
 std::vector<std::string> ordered_channels(const Imf::ChannelList& list) {
   std::vector<std::string> names, others;
-  for (const char* first : {"R", "G", "B", "A"})
+  for (const char* first : {"R", "G", "B", "Y", "A"})
     if (list.findChannel(first)) names.emplace_back(first);
   for (auto c = list.begin(); c != list.end(); ++c)
     if (std::find(names.begin(), names.end(), c.name()) == names.end()) others.emplace_back(c.name());
@@ -65,11 +67,15 @@ std::vector<std::string> ordered_channels(const Imf::ChannelList& list) {
   return names;
 }
 
+/// What is too large for a half is its largest number; infinities and NaN stay what they are.
+half to_half(float v) { return half(std::isfinite(v) ? std::clamp(v, -65504.0f, 65504.0f) : v); }
+
 /// Positions, depths, ids, counts and variances need all digits of a float; colours do not.
 Imf::PixelType stored_type(const std::string& channel) {
-  static constexpr const char* precise[] = {"Z", "position.", ".id", "samples.", "variance.", "Crypto"};
-  const bool is_precise = std::any_of(std::begin(precise), std::end(precise),
-                                      [&](const char* part) { return channel.find(part) != std::string::npos; });
+  static constexpr const char* precise[] = {"position.", ".id", "samples.", "variance.", "Crypto"};
+  const bool is_precise = channel == "Z" || std::any_of(std::begin(precise), std::end(precise), [&](const char* part) {
+                            return channel.find(part) != std::string::npos;
+                          });
   return is_precise ? Imf::FLOAT : Imf::HALF;
 }
 
@@ -106,7 +112,8 @@ Image read(Bytes data, const std::string& name) {
   file.setFrameBuffer(frame);
   file.readPixels(window.min.y, window.max.y);
   for (auto a = file.header().begin(); a != file.header().end(); ++a)
-    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute()))
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
+        text && std::string_view(a.name()) != "type")  // says how the file stores its pixels, not what they are
       stored.metadata[a.name()] = text->value();
   if (window == display) return stored;
 
@@ -125,12 +132,8 @@ Image read(Bytes data, const std::string& name) {
 Image decode_exr(Bytes data, const std::string& name) {
   try {
     return read(data, name);
-  } catch (const Error&) {
-    throw;
-  } catch (const std::exception& e) {
-    std::string reason = e.what();
-    std::replace(reason.begin(), reason.end(), '\n', ' ');
-    decode_error(name, reason);
+  } catch (const std::exception&) {
+    rethrow_named(name);
   }
 }
 
@@ -155,8 +158,7 @@ std::vector<std::byte> encode_exr(const Image& image) {
       continue;
     }
     planes[c].resize(width * height);
-    for (std::size_t i = 0; i < planes[c].size(); ++i)
-      planes[c][i] = half(std::clamp(pixels[i * count + c], -65504.0f, 65504.0f));
+    for (std::size_t i = 0; i < planes[c].size(); ++i) planes[c][i] = to_half(pixels[i * count + c]);
     frame.insert(name, Imf::Slice(type, reinterpret_cast<char*>(planes[c].data()), sizeof(half), sizeof(half) * width));
   }
   MemoryOutput stream;

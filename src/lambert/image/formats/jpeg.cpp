@@ -74,26 +74,37 @@ class Decoder {
   jpeg_decompress_struct info_{};
 };
 
+struct Encoder {
+  jpeg_error_mgr manager{};
+  jpeg_compress_struct info{};
+  unsigned char* buffer = nullptr;
+  unsigned long size = 0;
+  Encoder() {
+    info.err = errors(manager);
+    jpeg_create_compress(&info);
+  }
+  ~Encoder() {
+    jpeg_destroy_compress(&info);
+    std::free(buffer);
+  }
+  Encoder(const Encoder&) = delete;
+  Encoder& operator=(const Encoder&) = delete;
+};
+
 }  // namespace
 
 Texels decode_jpeg(Bytes data, const std::string& name) {
   try {
     return Decoder().decode(data, name);
-  } catch (const Error& e) {
-    const std::string reason = e.what();
-    if (reason.starts_with(name + ":")) throw;
-    decode_error(name, reason);
+  } catch (const std::exception&) {
+    rethrow_named(name);
   }
 }
 
 std::vector<std::byte> encode_jpeg(const DisplayImage& image) {
-  jpeg_error_mgr manager{};
-  jpeg_compress_struct info{};
-  info.err = errors(manager);
-  jpeg_create_compress(&info);
-  unsigned char* buffer = nullptr;
-  unsigned long size = 0;
-  jpeg_mem_dest(&info, &buffer, &size);
+  Encoder encoder;
+  jpeg_compress_struct& info = encoder.info;
+  jpeg_mem_dest(&info, &encoder.buffer, &encoder.size);
   info.image_width = static_cast<JDIMENSION>(image.width), info.image_height = static_cast<JDIMENSION>(image.height);
   info.input_components = image.channels;
   info.in_color_space = image.channels == 1 ? JCS_GRAYSCALE : JCS_RGB;
@@ -106,11 +117,8 @@ std::vector<std::byte> encode_jpeg(const DisplayImage& image) {
     jpeg_write_scanlines(&info, &row, 1);
   }
   jpeg_finish_compress(&info);
-  jpeg_destroy_compress(&info);
-  const auto* bytes = reinterpret_cast<const std::byte*>(buffer);
-  std::vector<std::byte> out(bytes, bytes + size);
-  std::free(buffer);
-  return out;
+  const auto* bytes = reinterpret_cast<const std::byte*>(encoder.buffer);
+  return {bytes, bytes + encoder.size};
 }
 
 }  // namespace lambert

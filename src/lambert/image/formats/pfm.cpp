@@ -60,7 +60,7 @@ Image decode_pfm(Bytes data, const std::string& name) {
 }
 
 std::vector<std::byte> encode_pfm(const Image& image) {
-  const bool grey = image.channel_count() < 3;
+  const bool grey = !image.has_colour();
   const std::string header =
       (grey ? "Pf\n" : "PF\n") + std::to_string(image.width()) + " " + std::to_string(image.height()) + "\n-1.0\n";
   std::vector<std::byte> out(header.size());

@@ -59,6 +59,7 @@ class Decoder {
     std::vector<std::uint8_t> pixels(row_bytes * height);
     for (int pass = 0; pass < passes; ++pass)
       for (png_uint_32 y = 0; y < height; ++y) png_read_row(png_, pixels.data() + y * row_bytes, nullptr);
+    png_read_end(png_, nullptr);
     if (depth < 16) {
       t.bytes = std::move(pixels);
       return t;
@@ -77,15 +78,22 @@ class Decoder {
   png_infop info_;
 };
 
+struct Encoder {
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignore);
+  png_infop info = png_create_info_struct(png);
+  Encoder() = default;
+  ~Encoder() { png_destroy_write_struct(&png, &info); }
+  Encoder(const Encoder&) = delete;
+  Encoder& operator=(const Encoder&) = delete;
+};
+
 }  // namespace
 
 Texels decode_png(Bytes data, const std::string& name) {
   try {
     return Decoder().decode(data, name);
-  } catch (const Error& e) {
-    const std::string reason = e.what();
-    if (reason.starts_with(name + ":")) throw;
-    decode_error(name, reason);
+  } catch (const std::exception&) {
+    rethrow_named(name);
   }
 }
 
@@ -93,8 +101,9 @@ std::vector<std::byte> encode_png(const DisplayImage& image) {
   static constexpr int colour_types[] = {0, PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
                                          PNG_COLOR_TYPE_RGBA};
   std::vector<std::byte> out;
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignore);
-  png_infop info = png_create_info_struct(png);
+  const Encoder encoder;
+  const png_structp png = encoder.png;
+  const png_infop info = encoder.info;
   png_set_write_fn(png, &out, write_bytes, flush);
   png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
                colour_types[image.channels], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -114,7 +123,6 @@ std::vector<std::byte> encode_png(const DisplayImage& image) {
   for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
     png_write_row(png, image.bytes.data() + y * row);
   png_write_end(png, info);
-  png_destroy_write_struct(&png, &info);
   return out;
 }
 

@@ -4,8 +4,11 @@
 #include <tiffio.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace lambert {
 namespace {
@@ -41,6 +44,14 @@ toff_t seek_memory(thandle_t handle, toff_t offset, int whence) {
   return m.at;
 }
 int close_memory(thandle_t) { return 0; }
+/// libtiff 4.5 refuses uncompressed tiles below 1 kB that it has to read in pieces.
+int map_memory(thandle_t handle, void** base, toff_t* size) {
+  const auto& m = *static_cast<Memory*>(handle);
+  *base = const_cast<std::byte*>(m.input.data());  // which libtiff does not write to
+  *size = m.input.size();
+  return !m.input.empty();
+}
+void unmap_memory(thandle_t, void*, toff_t) {}
 toff_t size_memory(thandle_t handle) { return static_cast<Memory*>(handle)->size(); }
 
 /// libtiff prints to standard error unless told otherwise; the first complaint of a thread is kept for the Error.
@@ -57,8 +68,12 @@ Tiff open(Memory& memory, const char* mode) {
   TIFFSetErrorHandler(keep_complaint);
   TIFFSetWarningHandler(nullptr);
   complaint.clear();
-  return {TIFFClientOpen("memory", mode, &memory, read_memory, write_memory, seek_memory, close_memory, size_memory,
-                         nullptr, nullptr),
+  // Strips and tiles of a damaged file may claim any size.
+  const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(TIFFOpenOptionsAlloc(),
+                                                                                 TIFFOpenOptionsFree);
+  TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), tmsize_t{1} << 30);
+  return {TIFFClientOpenExt("memory", mode, &memory, read_memory, write_memory, seek_memory, close_memory, size_memory,
+                            map_memory, unmap_memory, options.get()),
           TIFFClose};
 }
 
@@ -67,6 +82,59 @@ T field(TIFF* tiff, std::uint32_t tag, T fallback) {
   T value = fallback;
   TIFFGetFieldDefaulted(tiff, tag, &value);
   return value;
+}
+
+/// What the first extra sample is; nothing without one.
+std::optional<std::uint16_t> kind_of_alpha(TIFF* tiff) {
+  std::uint16_t count = 0, *kinds = nullptr;
+  if (!TIFFGetField(tiff, TIFFTAG_EXTRASAMPLES, &count, &kinds) || count == 0) return std::nullopt;
+  return kinds[0];
+}
+
+/// Divides colours by alpha, the last channel.
+void make_straight(Texels& t) {
+  const auto channels = static_cast<std::size_t>(t.channels);
+  for (std::size_t i = 0; i + channels <= t.bytes.size(); i += channels) {
+    const unsigned alpha = t.bytes[i + channels - 1];
+    for (std::size_t c = 0; alpha > 0 && c + 1 < channels; ++c)
+      t.bytes[i + c] = static_cast<std::uint8_t>(std::min(255u, (t.bytes[i + c] * 255u + alpha / 2) / alpha));
+  }
+  for (std::size_t i = 0; i + channels <= t.floats.size(); i += channels) {
+    const float alpha = t.floats[i + channels - 1];
+    for (std::size_t c = 0; alpha > 0 && c + 1 < channels; ++c) t.floats[i + c] /= alpha;
+  }
+}
+
+template <class T>
+std::vector<T> oriented(const std::vector<T>& stored, std::size_t width, std::size_t height, std::size_t channels,
+                        int orientation) {
+  // Tag 274: where row 0 and column 0 are seen. From LEFTTOP on, rows are seen as columns.
+  const bool turned = orientation >= ORIENTATION_LEFTTOP;
+  const bool mirrored = orientation == ORIENTATION_TOPRIGHT || orientation == ORIENTATION_BOTRIGHT ||
+                        orientation == ORIENTATION_RIGHTTOP || orientation == ORIENTATION_RIGHTBOT;
+  const bool upside_down = orientation == ORIENTATION_BOTRIGHT || orientation == ORIENTATION_BOTLEFT ||
+                           orientation == ORIENTATION_RIGHTBOT || orientation == ORIENTATION_LEFTBOT;
+  const std::size_t seen_width = turned ? height : width, seen_height = turned ? width : height;
+  std::vector<T> seen;
+  seen.reserve(stored.size());
+  for (std::size_t y = 0; y < seen_height && !stored.empty(); ++y)
+    for (std::size_t x = 0; x < seen_width; ++x) {
+      const std::size_t i = mirrored ? seen_width - 1 - x : x, j = upside_down ? seen_height - 1 - y : y;
+      const std::size_t at = (turned ? i * width + j : j * width + i) * channels;
+      seen.insert(seen.end(), stored.begin() + static_cast<std::ptrdiff_t>(at),
+                  stored.begin() + static_cast<std::ptrdiff_t>(at + channels));
+    }
+  return seen;
+}
+
+Texels oriented(Texels t, int orientation) {
+  if (orientation <= ORIENTATION_TOPLEFT || orientation > ORIENTATION_LEFTBOT) return t;
+  const auto width = static_cast<std::size_t>(t.width), height = static_cast<std::size_t>(t.height);
+  const auto channels = static_cast<std::size_t>(t.channels);
+  t.bytes = oriented(t.bytes, width, height, channels, orientation);
+  t.floats = oriented(t.floats, width, height, channels, orientation);
+  if (orientation >= ORIENTATION_LEFTTOP) std::swap(t.width, t.height);
+  return t;
 }
 
 Texels decode_strips(TIFF* tiff, const std::string& name, int width, int height, int channels, int bits) {
@@ -88,21 +156,26 @@ Texels decode_strips(TIFF* tiff, const std::string& name, int width, int height,
       t.floats.push_back(value);
     }
   }
+  if (channels % 2 == 0 && kind_of_alpha(tiff) == EXTRASAMPLE_ASSOCALPHA) make_straight(t);
   return t;
 }
 
 /// Tiles, palettes, planes and rare colour spaces, through libtiff's own conversion to 8-bit RGBA.
-Texels decode_rgba(TIFF* tiff, const std::string& name, int width, int height) {
+Texels decode_rgba(TIFF* tiff, const std::string& name, int width, int height, std::uint16_t orientation) {
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   std::vector<std::uint32_t> pixels(count);
   if (!TIFFReadRGBAImageOriented(tiff, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
-                                 pixels.data(), ORIENTATION_TOPLEFT, 1))
+                                 pixels.data(), orientation, 1))
     decode_error(name, complaint.empty() ? "its kind of pixels is not supported" : complaint);
-  Texels t{.width = width, .height = height, .channels = 4};
-  t.bytes.reserve(4 * count);
-  for (const std::uint32_t p : pixels)
-    for (const std::uint32_t c : {TIFFGetR(p), TIFFGetG(p), TIFFGetB(p), TIFFGetA(p)})
+  const auto alpha = kind_of_alpha(tiff);
+  Texels t{.width = width, .height = height, .channels = alpha ? 4 : 3};
+  t.bytes.reserve(static_cast<std::size_t>(t.channels) * count);
+  for (const std::uint32_t p : pixels) {
+    for (const std::uint32_t c : {TIFFGetR(p), TIFFGetG(p), TIFFGetB(p)})
       t.bytes.push_back(static_cast<std::uint8_t>(c));
+    if (alpha) t.bytes.push_back(static_cast<std::uint8_t>(TIFFGetA(p)));
+  }
+  if (alpha && *alpha != EXTRASAMPLE_UNSPECIFIED) make_straight(t);  // libtiff multiplies what is not yet
   return t;
 }
 
@@ -110,7 +183,7 @@ Texels decode_rgba(TIFF* tiff, const std::string& name, int width, int height) {
 
 Texels decode_tiff(Bytes data, const std::string& name) {
   Memory memory{.input = data};
-  const Tiff tiff = open(memory, "rm");
+  const Tiff tiff = open(memory, "r");
   if (!tiff) decode_error(name, complaint.empty() ? "is not a TIFF file" : complaint);
   const auto width = field<std::uint32_t>(tiff.get(), TIFFTAG_IMAGEWIDTH, 0),
              height = field<std::uint32_t>(tiff.get(), TIFFTAG_IMAGELENGTH, 0);
@@ -121,11 +194,15 @@ Texels decode_tiff(Bytes data, const std::string& name) {
              plane = field<std::uint16_t>(tiff.get(), TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
   const auto photometric = field<std::uint16_t>(tiff.get(), TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
   const bool plain =
-      !TIFFIsTiled(tiff.get()) && plane == PLANARCONFIG_CONTIG && channels >= 1 && channels <= 4 &&
-      (photometric == PHOTOMETRIC_RGB || photometric == PHOTOMETRIC_MINISBLACK) &&
+      !TIFFIsTiled(tiff.get()) && plane == PLANARCONFIG_CONTIG &&
+      ((photometric == PHOTOMETRIC_RGB && (channels == 3 || channels == 4)) ||
+       (photometric == PHOTOMETRIC_MINISBLACK && (channels == 1 || channels == 2))) &&
       ((format == SAMPLEFORMAT_UINT && (bits == 8 || bits == 16)) || (format == SAMPLEFORMAT_IEEEFP && bits == 32));
   const int w = static_cast<int>(width), h = static_cast<int>(height);
-  return plain ? decode_strips(tiff.get(), name, w, h, channels, bits) : decode_rgba(tiff.get(), name, w, h);
+  const auto orientation = field<std::uint16_t>(tiff.get(), TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
+  return oriented(
+      plain ? decode_strips(tiff.get(), name, w, h, channels, bits) : decode_rgba(tiff.get(), name, w, h, orientation),
+      orientation);
 }
 
 std::vector<std::byte> encode_tiff(const DisplayImage& image) {

@@ -1,0 +1,55 @@
+#include "lambert/image/image.h"
+
+#include "damage.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace lambert {
+namespace {
+
+TEST(Image, StartsBlackAndKeepsWhatIsSet) {
+  Image image(3, 2, rgba_channels());
+  EXPECT_EQ(image.pixels().size(), 24u);
+  EXPECT_TRUE(std::all_of(image.pixels().begin(), image.pixels().end(), [](float v) { return v == 0; }));
+  image.set_rgb(2, 1, {1, 2, 3});
+  image.at(2, 1, 3) = 0.5f;
+  EXPECT_EQ(image.rgb(2, 1), Rgb(1, 2, 3));
+  EXPECT_EQ(image.row(1)[2 * 4 + 3], 0.5f) << "rows from the top, channels interleaved";
+  EXPECT_EQ(image.pixels()[5 * 4 + 1], 2);
+  EXPECT_EQ(image.rgb(1, 1), Rgb(0.0f));
+}
+
+TEST(Image, ChannelsHaveNames) {
+  const Image image(1, 1, {"R", "G", "B", "Z", "normal.X"});
+  EXPECT_EQ(image.channel("Z"), 3u);
+  EXPECT_EQ(image.channel("normal.X"), 4u);
+  EXPECT_EQ(image.channel("A"), std::nullopt);
+  EXPECT_EQ(image.channel("normal"), std::nullopt);
+}
+
+TEST(Image, GreyIsSpreadAndOtherChannelsAreNoColour) {
+  for (const std::vector<std::string>& channels :
+       {std::vector<std::string>{"Y"}, {"Y", "A"}, {"Y", "A", "Z"}, {"Z", "id"}}) {
+    Image image(1, 1, channels);
+    image.at(0, 0, 0) = 0.25f, image.at(0, 0, channels.size() - 1) += 0.5f;
+    EXPECT_FALSE(image.has_colour());
+    EXPECT_EQ(image.rgb(0, 0), Rgb(image.at(0, 0, 0))) << channels.size();
+  }
+}
+
+TEST(Image, RefusesSizesThatNoImageHas) {
+  EXPECT_EQ(error_of([] { Image(0, 4, rgb_channels()); }), "an image cannot be 0x4 with 3 channels");
+  EXPECT_EQ(error_of([] { Image(4, -1, rgb_channels()); }), "an image cannot be 4x-1 with 3 channels");
+  EXPECT_EQ(error_of([] { Image(4, 4, {}); }), "an image cannot be 4x4 with 0 channels");
+  EXPECT_EQ(error_of([] { Image(2147483647, 2147483647, rgb_channels()); }),
+            "an image of 2147483647x2147483647 with 3 channels is too large");
+  EXPECT_EQ(error_of([] {
+              Image(1 << 16, 1 << 15, {"R", "G"});
+            }),
+            "an image of 65536x32768 with 2 channels is too large");
+}
+
+}  // namespace
+}  // namespace lambert
