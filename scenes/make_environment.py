@@ -3,9 +3,9 @@
 import math
 import pathlib
 
-SCENE = """# Made by make_environment.py. All light comes from sky.hdr: its sun has 2000 times the radiance of the sky about it.
-LookAt 0 2.1 -7   0 .95 0   0 1 0
-Camera "perspective" "float fov" 30
+SCENE = """# Made by make_environment.py. All light comes from sky.hdr: its sun has 500 times the radiance of the sky about it.
+LookAt 0 3.2 -8   0 .85 0   0 1 0
+Camera "perspective" "float fov" 26
 Film "rgb" "integer xresolution" 960 "integer yresolution" 540
 Sampler "sobol" "integer pixelsamples" 64
 Integrator "path" "integer maxdepth" 10
@@ -14,7 +14,7 @@ WorldBegin
 LightSource "infinite" "string filename" "sky.hdr"
 AttributeBegin
   Material "diffuse" "rgb reflectance" [ .4 .37 .33 ]
-  Translate 0 -.01 0  Rotate -90 1 0 0  Shape "disk" "float radius" 4.5
+  Translate 0 -.01 0  Rotate -90 1 0 0  Shape "disk" "float radius" 200
 AttributeEnd
 AttributeBegin
   Material "conductor" "spectrum eta" "metal-Ag-eta" "spectrum k" "metal-Ag-k"
@@ -45,8 +45,8 @@ def sky(theta, phi):
     hills = 0.06 + 0.035 * math.sin(5 * phi) + 0.02 * math.sin(11 * phi + 1)
     if d[1] < hills:
         return (0.05, 0.06, 0.09)
-    if near > 0.9985:
-        return (1900, 1250, 650)
+    if near > 0.995:
+        return (520, 340, 180)
     return tuple(c + glow * g for c, g in zip(colour, (1, 0.62, 0.3)))
 
 

@@ -34,7 +34,7 @@ def main():
     for _ in range(500):
         x, y, z = random.uniform(-9, 9), random.uniform(0.08, 3.2), random.uniform(-7, 7)
         r, g, b = colorsys.hsv_to_rgb(random.random(), random.uniform(0.3, 0.9), 1)
-        text.append(f"AttributeBegin\n  AreaLightSource \"diffuse\" \"rgb L\" [ {r:.3f} {g:.3f} {b:.3f} ] \"float scale\" 7\n"
+        text.append(f"AttributeBegin\n  AreaLightSource \"diffuse\" \"rgb L\" [ {r:.3f} {g:.3f} {b:.3f} ] \"float scale\" 4\n"
                     f"  Translate {x:.3f} {y:.3f} {z:.3f}\n  Shape \"sphere\" \"float radius\" .06\nAttributeEnd\n")
     (pathlib.Path(__file__).parent / "many-lights/many-lights.pbrt").write_text("".join(text))
 
