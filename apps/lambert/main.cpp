@@ -6,7 +6,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cstdio>
 #include <new>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -21,6 +25,9 @@ int run(int argc, char** argv) {
   CLI::App app("Lambert: one scene, every way of making an image of it.", "lambert");
   app.set_version_flag("--version", "lambert " LAMBERT_VERSION);
   app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& e) {
+    return fmt::format("lambert: error: {} (--help lists the flags)\n", e.what());
+  });
   app.set_help_flag("-h,--help", "Explain the command and exit");
   app.footer(
       "'lambert COMMAND --help' explains a command. Try:\n"
@@ -38,6 +45,16 @@ int run(int argc, char** argv) {
   add("methods", "List the methods of rendering and their settings", cli::add_methods);
   add("completion", "Print a completion script for a shell", cli::add_completion);
 
+  if (argc < 2) {
+    fmt::print(stderr, "{}", app.help());
+    return cli::usage_error;
+  }
+  std::vector<std::string> names;
+  for (const Entry& e : entries) names.push_back(e.app->get_name());
+  if (const std::string first = argv[1]; !first.starts_with('-') && std::ranges::find(names, first) == names.end()) {
+    log::error("unknown command " + unknown_word(first, names));
+    return cli::usage_error;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

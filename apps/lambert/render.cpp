@@ -14,8 +14,11 @@
 #include <nlohmann/json.hpp>
 
 #include <sys/resource.h>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace lambert::cli {
 namespace {
@@ -34,6 +37,8 @@ double peak_megabytes() {
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
+
+bool is_exr(const std::string& path) { return std::filesystem::path(path).extension() == ".exr"; }
 
 void write_outputs(const RenderOptions& options, const RenderSettings& settings, const Film& film) {
   Image image = film.develop();
@@ -71,7 +76,9 @@ int run(const RenderOptions& options) {
   if (options.quiet) log::set_level(log::Level::error);
   if (options.verbose) log::set_level(log::Level::debug);
   const ProgressSink progress = options.quiet ? ProgressSink() : progress_sink(options.progress);
-  output_paths(options);
+  const std::vector<std::string> paths = output_paths(options);
+  if (!options.aovs.empty() && std::none_of(paths.begin(), paths.end(), is_exr))
+    log::warn("--aov adds layers to an EXR, and none is written");
   tone_settings(options);
   const std::stop_token stop = stop_on_interrupt();
   set_thread_count(options.threads);

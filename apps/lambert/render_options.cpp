@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <string_view>
@@ -156,14 +157,22 @@ std::unique_ptr<Method> configured_method(const RenderOptions& options, const Sc
 std::vector<std::string> output_paths(const RenderOptions& options) {
   std::vector<std::string> paths = options.outputs;
   if (paths.empty()) paths.push_back(default_output(options.scene.file));
-  for (const std::string& path : paths) {
-    is_radiance_format(path);  // throws for an unknown extension, before any work is done
+  // Throws before any work is done.
+  const auto check_folder = [](const std::string& path) {
     const auto folder = std::filesystem::absolute(path).parent_path();
     if (!std::filesystem::is_directory(folder)) throw Error(path + ": there is no folder " + folder.string());
+  };
+  for (const std::string& path : paths) {
+    is_radiance_format(path);
+    check_folder(path);
   }
+  if (!options.stats.empty()) check_folder(options.stats);
   return paths;
 }
 
-ToneSettings tone_settings(const RenderOptions& options) { return {tone_operator(options.tonemap), options.exposure}; }
+ToneSettings tone_settings(const RenderOptions& options) {
+  if (!std::isfinite(options.exposure)) throw Error("--exposure: expected a number of stops");
+  return {tone_operator(options.tonemap), options.exposure};
+}
 
 }  // namespace lambert::cli

@@ -40,7 +40,8 @@ std::string unknown_word(std::string_view word, const std::vector<std::string>& 
   const auto nearest = std::min_element(allowed.begin(), allowed.end(), [&](const auto& a, const auto& b) {
     return edit_distance(shown, a) < edit_distance(shown, b);
   });
-  if (nearest != allowed.end() && edit_distance(shown, *nearest) <= 2) s += "; did you mean '" + *nearest + "'?";
+  const std::size_t slips = shown.size() <= 3 ? 1 : 2;
+  if (nearest != allowed.end() && edit_distance(shown, *nearest) <= slips) s += "; did you mean '" + *nearest + "'?";
   if (allowed.empty()) return s;
   s += " (known: ";
   for (std::size_t i = 0; i < allowed.size(); ++i) s += (i ? ", " : "") + allowed[i];

@@ -1,0 +1,4 @@
+#!/usr/bin/env bash
+# make.sh BINARY [--png FOLDER] [FILE…]: renders the pictures of pictures.json (or those named) and writes README.md.
+set -euo pipefail
+exec python3 "$(dirname "${BASH_SOURCE[0]}")/make.py" "$@"
