@@ -29,7 +29,7 @@ CoatedDiffuse::CoatedDiffuse(Rgb base_reflectance, float eta, float alpha_x, flo
 
 float CoatedDiffuse::coat_share(Vec3 wo) const {
   const float coat = coat_.fresnel(wo), base = (1 - coat) * through_ * luminance(base_);
-  return coat / (coat + base);
+  return coat + base > 0 ? coat / (coat + base) : 0;
 }
 
 Rgb CoatedDiffuse::eval(Vec3 wo, Vec3 wi, Transport) const {

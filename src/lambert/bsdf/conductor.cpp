@@ -1,5 +1,6 @@
 #include "lambert/bsdf/conductor.h"
 
+#include "lambert/bsdf/albedo_tables.h"
 #include "lambert/bsdf/fresnel.h"
 #include "lambert/bsdf/microfacet.h"
 
@@ -39,6 +40,10 @@ std::optional<BsdfSample> Conductor::sample(Vec3 wo, float, Vec2 u, Transport mo
   return BsdfSample{.wi = wi, .weight = eval(wo, wi, mode) / density, .pdf = density};
 }
 
-Rgb Conductor::albedo(Vec3 wo) const { return fresnel_conductor(std::abs(wo.z), eta, k); }
+Rgb Conductor::albedo(Vec3 wo) const {
+  if (is_specular()) return fresnel_conductor(std::abs(wo.z), eta, k);
+  const GgxAlbedo single = ggx_albedo(std::abs(wo.z), std::sqrt(alpha_x * alpha_y));
+  return fresnel_conductor(1, eta, k) * single.scale + Rgb(single.bias);
+}
 
 }  // namespace lambert

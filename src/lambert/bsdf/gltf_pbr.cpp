@@ -31,10 +31,12 @@ class View {
     eta_ = inside_ ? 1 / m.ior : m.ior;
     smooth_ = Ggx::effectively_smooth(m.alpha_x, m.alpha_y);
     coat_smooth_ = Ggx::effectively_smooth(m.clearcoat_alpha, m.clearcoat_alpha);
+    through_smooth_ = smooth_ || (!m.thin_walled && m.ior == 1);  // no border: no facet bends light
     alpha_ = std::sqrt(m.alpha_x * m.alpha_y);
     f0_ = clamp(m.specular_colour * f0_of_eta(m.ior), 0, 1) * m.specular;
     const float body = (1 - m.metallic);
-    diffuse_ = m.base_colour * (body * (1 - m.transmission));
+    // From inside a body total reflection leaves nothing to share with a diffuse lobe.
+    if (!inside_) diffuse_ = m.base_colour * (body * (1 - m.transmission));
     through_ = m.base_colour * (body * m.transmission);
     prepare_diffuse_scale();
     choose_lobes();
@@ -42,6 +44,7 @@ class View {
 
   bool smooth() const { return smooth_; }
   bool coat_smooth() const { return coat_smooth_; }
+  bool through_smooth() const { return through_smooth_; }
   float share(Lobe lobe) const { return shares_[lobe]; }
 
   /// All lobes but Dirac ones; wi in wo's frame (z > 0: reflected).
@@ -72,7 +75,9 @@ class View {
 
   std::optional<Vec3> sample_direction(Lobe lobe, Vec2 u) const {
     if (lobe == diffuse_lobe || lobe == sheen_lobe) return square_to_cosine_hemisphere(u);
-    const bool coat = lobe == coat_lobe, flat = coat ? coat_smooth_ : smooth_;
+    const bool coat = lobe == coat_lobe, flat = coat                        ? coat_smooth_
+                                                : lobe == transmission_lobe ? through_smooth_
+                                                                            : smooth_;
     const Vec3 h = flat ? Vec3(0, 0, 1) : (coat ? coat_ggx_ : ggx_).sample_visible(wo_, u);
     if (lobe == transmission_lobe && !m_.thin_walled) {
       const auto wi = refract(wo_, h, eta_);
@@ -140,16 +145,28 @@ class View {
     return left;
   }
 
+  /// What the dielectric's specular lobe reflects: the table's, which follows Schlick's curve, raised to the exact one
+  /// (that is up to a quarter above it) or to the film's. At most a percent of energy appears by the estimate.
+  float dielectric_albedo(float cos) const {
+    const float f0 = max_component(f0_), table = ggx_albedo(cos, alpha_)(f0, m_.specular);
+    if (inside_) return table;
+    const float schlick = f0 + (m_.specular - f0) * schlick_weight(cos);
+    const float exact = max_component(dielectric_fresnel(cos));
+    float albedo = schlick > 0 ? table * std::max(1.0f, exact / schlick) : table;
+    if (m_.iridescence > 0) {
+      const Rgb film = fresnel_iridescent(cos, m_.iridescence_ior, m_.iridescence_thickness_nm, f0_);
+      albedo += m_.iridescence * std::max(0.0f, max_component(film) - albedo);
+    }
+    return std::min(albedo, 1.0f);
+  }
   void prepare_diffuse_scale() {
-    const float f0 = max_component(f0_);
-    dielectric_albedo_ = ggx_albedo(wo_.z, alpha_)(f0, m_.specular);
+    dielectric_albedo_ = dielectric_albedo(wo_.z);
     if (is_black(diffuse_)) return;
-    mean_albedo_ = ggx_mean_albedo(alpha_)(f0, m_.specular);
+    mean_albedo_ = ggx_mean_albedo(alpha_)(max_component(f0_), m_.specular);
   }
   float diffuse_scale(Vec3 wi) const {
     if (is_black(diffuse_)) return 0;
-    const float other = ggx_albedo(wi.z, alpha_)(max_component(f0_), m_.specular);
-    return (1 - dielectric_albedo_) * (1 - other) / (1 - mean_albedo_);
+    return (1 - dielectric_albedo_) * (1 - dielectric_albedo(wi.z)) / (1 - mean_albedo_);
   }
   Rgb specular_albedo() const {
     const GgxAlbedo a = ggx_albedo(wo_.z, alpha_);
@@ -158,7 +175,7 @@ class View {
   }
 
   Rgb transmission_value(Vec3 wi, Transport mode) const {
-    if (smooth_ || is_black(through_)) return {};
+    if (through_smooth_ || is_black(through_)) return {};
     if (m_.thin_walled) {
       const Vec3 up = mirrored(wi), h = normalize(wo_ + up);
       return through_ * (Rgb(1.0f) - dielectric_fresnel(dot(wo_, h))) * (ggx_.d(h) * ggx_.g2(wo_, up) / (4 * wo_.z));
@@ -171,7 +188,7 @@ class View {
     return through_ * (Rgb(1.0f) - dielectric_fresnel(wo_h)) * value;
   }
   float transmission_pdf(Vec3 wi) const {
-    if (smooth_) return 0;
+    if (through_smooth_) return 0;
     if (m_.thin_walled) {
       const Vec3 h = normalize(wo_ + mirrored(wi));
       return ggx_.visible_d(wo_, h) / (4 * dot(wo_, h));
@@ -185,7 +202,8 @@ class View {
   /// In proportion to estimated albedos.
   void choose_lobes() {
     const float above = over_base(wo_);
-    shares_[specular_lobe] = above * std::max(0.02f, luminance(smooth_ ? fresnel(wo_.z) : specular_albedo()));
+    shares_[specular_lobe] =
+        above * std::max(0.02f, luminance(smooth_ || inside_ ? fresnel(wo_.z) : specular_albedo()));
     shares_[diffuse_lobe] = above * luminance(diffuse_) * (1 - dielectric_albedo_);
     shares_[transmission_lobe] =
         above * luminance(through_) * (1 - (smooth_ ? luminance(dielectric_fresnel(wo_.z)) : dielectric_albedo_));
@@ -199,7 +217,7 @@ class View {
   const GltfPbr& m_;
   Ggx ggx_, coat_ggx_;
   Vec3 wo_{0, 0, 1};
-  bool inside_ = false, smooth_ = false, coat_smooth_ = false;
+  bool inside_ = false, smooth_ = false, coat_smooth_ = false, through_smooth_ = false;
   float eta_ = 1, alpha_ = 1;
   Rgb f0_, diffuse_, through_;
   float dielectric_albedo_ = 0, mean_albedo_ = 0;
@@ -241,8 +259,8 @@ std::optional<BsdfSample> GltfPbr::sample(Vec3 wo, float u_lobe, Vec2 u, Transpo
   s.wi = in_frame_of(wo, *wi);
   s.transmitted = chosen == transmission_lobe;
   if (s.transmitted) s.eta = view.eta_through();
-  s.specular = chosen == coat_lobe ? view.coat_smooth()
-                                   : (chosen == specular_lobe || chosen == transmission_lobe) && view.smooth();
+  s.specular = (chosen == coat_lobe && view.coat_smooth()) || (chosen == specular_lobe && view.smooth()) ||
+               (chosen == transmission_lobe && view.through_smooth());
   if (s.specular) {
     s.weight = view.dirac_weight(chosen, *wi, mode) / view.share(chosen);
     return s;

@@ -12,7 +12,8 @@ namespace lambert {
 /// What the specular lobe takes from the diffuse one is B = (1 - E(wo)) (1 - E(wi)) / (1 - E̅) with its albedo E
 /// (Kelemen and Szirmay-Kalos 2001) instead of the specification's 1 - F(wo.h), which reflects more than it gets at
 /// grazing directions; coat and sheen take likewise, C = (1 - c F(wo)) (1 - c F(wi)). Reciprocal. Scattering is single:
-/// rough metals lose what would reflect again between facets. Local +z is outside.
+/// rough metals lose what would reflect again between facets. The diffuse lobe is seen from outside only, unless
+/// thin-walled. Local +z is outside.
 struct GltfPbr {
   Rgb base_colour{1.0f};
   float metallic = 0;

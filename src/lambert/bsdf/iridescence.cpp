@@ -39,7 +39,7 @@ Rgb fresnel_iridescent(float cos_i, float film_ior, float thickness_nm, Rgb base
   if (cos2_t < 0) return Rgb(1.0f);
   const float cos_t = std::sqrt(cos2_t);
 
-  const float r0 = f0_of_eta(film), r12 = r0 + (1 - r0) * schlick_weight(cos_i), t121 = 1 - r12;
+  const float r12 = fresnel_dielectric(cos_i, film), t121 = 1 - r12;
   const float phi21 = film < 1 ? 0 : pi;
   const Rgb f0 = clamp(base_f0, 0, 0.9999f);
   const Rgb base_ior(eta_of_f0(f0.r), eta_of_f0(f0.g), eta_of_f0(f0.b));
