@@ -32,14 +32,15 @@ std::uint32_t permuted(std::uint32_t i, std::uint32_t n, std::uint32_t key) {
   return (i + key) % n;
 }
 
-/// The radical inverse of `i` in `base`, each digit permuted by a shift that depends on the digits before it: a
-/// restricted Owen scrambling (of cyclic shifts), which keeps stratification and makes the point uniform.
+/// The radical inverse of `i` in `base`, each digit permuted as the digits before it say (Owen scrambling), which keeps
+/// stratification and makes the point uniform. Shifts would not do for permutations: until two bases have gone once
+/// round together, i mod b and i mod c run along diagonals, and shifts leave those whole.
 float scrambled_radical_inverse(std::uint32_t base, std::uint64_t i, std::uint64_t key) {
   double value = 0, unit = 1.0 / base;
   std::uint64_t prefix = key;
   for (; unit > 0x1p-30; unit /= base, i /= base) {
-    const auto shift = static_cast<std::uint32_t>(mix_bits(prefix) % base);
-    const auto digit = static_cast<std::uint32_t>((i % base + shift) % base);
+    const std::uint32_t digit =
+        permuted(static_cast<std::uint32_t>(i % base), base, static_cast<std::uint32_t>(mix_bits(prefix)));
     value += digit * unit;
     prefix = mix_bits(prefix + digit + 1);
   }
