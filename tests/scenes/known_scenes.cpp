@@ -47,6 +47,24 @@ SceneGraph lamp_over_floor(float albedo, float radiance) {
   return graph;
 }
 
+SceneGraph floor_under(float albedo, Geometry lamp, const Transform& place, float radiance) {
+  SceneGraph graph;
+  graph.add_surface(graph.root(), {.geometry = graph.add_geometry(rectangle({-5, 0, -5}, {0, 0, 10}, {10, 0, 0})),
+                                   .material = add_diffuse(graph, albedo)});
+  Surface emitter{.geometry = graph.add_geometry(std::move(lamp)), .material = add_diffuse(graph, 0)};
+  emitter.emission = Emission{.radiance = RgbParameter{Rgb(radiance)}, .two_sided = true};
+  graph.add_surface(graph.add_node(graph.root(), "lamp", place), emitter);
+  return graph;
+}
+
+SceneGraph floor_under_sky(float albedo, float radiance) {
+  SceneGraph graph;
+  graph.add_surface(graph.root(), {.geometry = graph.add_geometry(rectangle({-5, 0, -5}, {0, 0, 10}, {10, 0, 0})),
+                                   .material = add_diffuse(graph, albedo)});
+  graph.add_light(EnvironmentLight(Rgb(radiance)));
+  return graph;
+}
+
 std::vector<Camera> cameras_at(Vec3 position, Vec3 target) {
   const Vec2i resolution(8, 8);
   const Vec3 up = std::abs(normalize(target - position).y) > 0.9f ? Vec3(0, 0, 1) : Vec3(0, 1, 0);

@@ -20,6 +20,13 @@ SceneGraph point_light_in_sphere(float albedo, float intensity, float radius);
 /// point below the lamp's centre.
 SceneGraph lamp_over_floor(float albedo, float radiance);
 
+/// The same floor under any lamp of `radiance`, which emits on both sides.
+SceneGraph floor_under(float albedo, Geometry lamp, const Transform& place, float radiance);
+
+/// The same floor under an environment of `radiance` from everywhere: half of it is seen, and radiance is that times
+/// the albedo.
+SceneGraph floor_under_sky(float albedo, float radiance);
+
 /// A camera of each kind at the origin, 8x8 pixels. The perspective one is narrow.
 std::vector<Camera> cameras_at(Vec3 position, Vec3 target);
 

@@ -31,6 +31,9 @@ const std::array<AovDescription, 7>& aov_table() {
   return table;
 }
 
+/// In double and with the same weights for single samples as for sums: a variance is their small difference.
+double luminance_of(double r, double g, double b) { return 0.2126 * r + 0.7152 * g + 0.0722 * b; }
+
 const AovDescription& describe(Aov a) { return aov_table()[static_cast<std::size_t>(a)]; }
 
 }  // namespace
@@ -60,7 +63,8 @@ void Film::add(Vec2i pixel, const FilmSample& sample) {
   p.g += w * static_cast<double>(sample.radiance.g);
   p.b += w * static_cast<double>(sample.radiance.b);
   p.weight += w;
-  const double y = w * static_cast<double>(luminance(sample.radiance));
+  const double y = w * luminance_of(static_cast<double>(sample.radiance.r), static_cast<double>(sample.radiance.g),
+                                    static_cast<double>(sample.radiance.b));
   p.luminance_squared += y * y;
   ++p.count;
 
@@ -83,7 +87,7 @@ Rgb Film::mean(Vec2i pixel) const {
 double Film::variance_of_mean(Vec2i pixel) const {
   const Pixel& p = pixels_[index(pixel)];
   if (p.count < 2) return std::numeric_limits<double>::infinity();
-  const double n = p.count, sum = 0.2126 * p.r + 0.7152 * p.g + 0.0722 * p.b;
+  const double n = p.count, sum = luminance_of(p.r, p.g, p.b);
   return std::max(0.0, (p.luminance_squared - sum * sum / n) / (n * (n - 1)));
 }
 

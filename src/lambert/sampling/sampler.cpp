@@ -32,18 +32,21 @@ std::uint32_t permuted(std::uint32_t i, std::uint32_t n, std::uint32_t key) {
   return (i + key) % n;
 }
 
-/// The radical inverse of `i` in `base`, each digit permuted at random, dependent on the digits before it: Owen
-/// scrambling, which keeps stratification and makes the point uniform. (Mere shifts would do that too, but leave the
-/// lines on which points of large bases lie.)
-float scrambled_radical_inverse(std::uint32_t base, std::uint64_t i, std::uint64_t key) {
-  double value = 0, unit = 1.0 / base;
+/// The radical inverse of `i` in `base`, each digit permuted as the digits before it say (Owen scrambling), which keeps
+/// stratification and makes the point uniform. Shifts would not do for permutations: until two bases have gone once
+/// round together, i mod b and i mod c run along diagonals, and shifts leave those whole. After the digits that tell
+/// `planned` points apart the rest is one random number, as it would be for a single point.
+float scrambled_radical_inverse(std::uint32_t base, std::uint64_t i, std::uint64_t planned, std::uint64_t key) {
+  double value = 0, width = 1;
   std::uint64_t prefix = key;
-  for (; unit > 0x1p-30; unit /= base, i /= base) {
+  for (std::uint64_t told_apart = 1; told_apart < planned || i > 0; told_apart *= base, i /= base) {
     const std::uint32_t digit =
         permuted(static_cast<std::uint32_t>(i % base), base, static_cast<std::uint32_t>(mix_bits(prefix)));
-    value += digit * unit;
+    width /= base;
+    value += digit * width;
     prefix = mix_bits(prefix + digit + 1);
   }
+  value += width * static_cast<double>(top_24_bits(mix_bits(prefix)));
   return std::min(static_cast<float>(value), one_minus_epsilon);
 }
 
@@ -128,8 +131,8 @@ Vec2 Sampler::halton(std::uint64_t h) const {
       83,  89,  97,  101, 103, 107, 109, 113, 127, 131, 137, 139, 149, 151, 157, 163, 167, 173, 179, 181, 191, 193,
       197, 199, 211, 223, 227, 229, 233, 239, 241, 251, 257, 263, 269, 271, 277, 281, 283, 293, 307, 311};
   const std::size_t pair = (dimension_ - 1) % (primes.size() / 2);
-  return {scrambled_radical_inverse(primes[2 * pair], sample_, h),
-          scrambled_radical_inverse(primes[2 * pair + 1], sample_, ~h)};
+  return {scrambled_radical_inverse(primes[2 * pair], sample_, planned_, h),
+          scrambled_radical_inverse(primes[2 * pair + 1], sample_, planned_, ~h)};
 }
 
 Vec2 Sampler::blue_noise() const {

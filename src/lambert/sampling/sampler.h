@@ -27,7 +27,7 @@ std::vector<std::string> sampler_names();
 
 struct SamplerSettings {
   SamplerKind kind = SamplerKind::sobol;
-  std::uint32_t samples_per_pixel = 64;  ///< planned; needed by stratified and blue_noise, a hint to the others
+  std::uint32_t samples_per_pixel = 64;  ///< planned; needed by stratified and blue_noise, a hint to halton
   std::uint64_t seed = 0;
   Vec2i resolution{512, 512};  ///< needed by blue_noise
 };
@@ -85,7 +85,7 @@ class Sampler {
   std::uint64_t z_index_ = 0;  // blue_noise: Morton code of the pixel, then the sample
   std::uint32_t sample_, reversed_sample_;
   std::uint32_t dimension_ = 0;
-  std::uint32_t planned_ = 1;  // stratified: samples per pixel; blue_noise: base-4 digits of z_index_
+  std::uint32_t planned_ = 1;  // stratified, halton: samples per pixel; blue_noise: base-4 digits of z_index_
   SamplerKind kind_;
 };
 

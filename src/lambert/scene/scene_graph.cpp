@@ -21,6 +21,7 @@ NodeId SceneGraph::add_node(NodeId parent, std::string label, const Transform& l
   const auto id = static_cast<NodeId>(nodes_.size());
   nodes_.push_back({.name = std::move(label), .parent = parent});
   nodes_[parent].children.push_back(id);
+  mark_boxes_above(parent);
   set_local_transform(id, local);
   return id;
 }

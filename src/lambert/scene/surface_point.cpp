@@ -30,6 +30,14 @@ Vec3 normalized_or(Vec3 v, Vec3 fallback) {
   return squared > 0 ? v / std::sqrt(squared) : fallback;
 }
 
+/// Unit vectors of vertices, mapped and made unit before they are interpolated, as transformed() does: a mesh looks the
+/// same however often it is placed.
+template <class V, class Map>
+Vec3 interpolate_mapped(const std::vector<V>& values, const Triangle& t, Vec2 b, const Map& map) {
+  const auto corner = [&](std::size_t i) { return normalized_or(map(Vec3(values[t[i]])), Vec3(0)); };
+  return (1 - b.x - b.y) * corner(0) + b.x * corner(1) + b.y * corner(2);
+}
+
 void fill_from_mesh(SurfacePoint& point, const CompiledSurface& s, const Hit& hit) {
   const TriangleMesh& mesh = *s.mesh;
   const Triangle& t = mesh.triangles[hit.primitive];
@@ -44,8 +52,9 @@ void fill_from_mesh(SurfacePoint& point, const CompiledSurface& s, const Hit& hi
   if (s.instanced && s.to_world.swaps_handedness()) point.ng = -point.ng;
   point.ns = point.ng;
   if (!mesh.normals.empty()) {
-    const Vec3 n = interpolate(mesh.normals, t, b);
-    point.ns = normalized_or(s.instanced ? s.to_world.normal(n) : n, point.ng);
+    const auto map = [&](Vec3 n) { return s.to_world.normal(n); };
+    const Vec3 n = s.instanced ? interpolate_mapped(mesh.normals, t, b, map) : interpolate(mesh.normals, t, b);
+    point.ns = normalized_or(n, point.ng);
   }
 
   point.uv = uv_at(mesh, t, b);
@@ -58,11 +67,12 @@ void fill_from_mesh(SurfacePoint& point, const CompiledSurface& s, const Hit& hi
     point.tangent = tangent_of(e1, e2, d1, d2);
     point.bitangent_sign = d1.x * d2.y - d1.y * d2.x < 0 ? -1.0f : 1.0f;
   } else {
+    const auto map = [&](Vec3 v) { return s.to_world.vector(v); };
     const Vec4 tangent = interpolate(mesh.tangents, t, b);
-    point.tangent = s.instanced ? s.to_world.vector(Vec3(tangent)) : Vec3(tangent);
+    point.tangent = s.instanced ? interpolate_mapped(mesh.tangents, t, b, map) : Vec3(tangent);
     point.bitangent_sign = tangent.w < 0 ? -1.0f : 1.0f;
-    if (s.instanced && s.to_world.swaps_handedness()) point.bitangent_sign = -point.bitangent_sign;
   }
+  if (s.instanced && s.to_world.swaps_handedness()) point.bitangent_sign = -point.bitangent_sign;
 }
 
 void fill_from_shape(SurfacePoint& point, const CompiledSurface& s, const Ray& ray, const Hit& hit) {
@@ -127,7 +137,9 @@ bool ray_passes(const Scene::State& scene, std::uint32_t surface, std::uint32_t 
     at.uv1 = s.mesh->uvs1.empty() ? at.uv : interpolate(s.mesh->uvs1, t, barycentric);
     if (!s.mesh->colours.empty()) vertex_alpha = interpolate(s.mesh->colours, t, barycentric).w;
   }
-  const float u = hash_to_float(hash_values(origin, direction, primitive, surface));
+  // A ray may meet one shape twice, each time by its own chance; of a mesh it meets other primitives.
+  const Vec2 place = s.shape ? barycentric : Vec2(0);
+  const float u = hash_to_float(hash_values(origin, direction, primitive, surface, place));
   return alpha_passes(material, scene.textures, at, vertex_alpha, u);
 }
 

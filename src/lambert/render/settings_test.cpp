@@ -1,0 +1,83 @@
+#include "lambert/render/method.h"
+
+#include "lambert/base/error.h"
+
+#include <gtest/gtest.h>
+
+namespace lambert {
+namespace {
+
+struct Example {
+  int depth = 3;
+  float clamp = 0.5f;
+  bool direct = true;
+  std::string mode = "fast";
+  SettingTable table() {
+    return SettingTable({{"depth", "", &depth},
+                         {"clamp", "", &clamp},
+                         {"direct", "", &direct},
+                         {"mode", "", &mode, {"fast", "exact"}}});
+  }
+};
+
+std::string error_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+TEST(SettingTable, WritesThroughToTheStruct) {
+  Example e;
+  SettingTable table = e.table();
+  table.set("depth", "-7");
+  table.set("clamp", "2.5e3");
+  table.set("direct", "false");
+  table.set("mode", "exact");
+  EXPECT_EQ(e.depth, -7);
+  EXPECT_EQ(e.clamp, 2500);
+  EXPECT_FALSE(e.direct);
+  EXPECT_EQ(e.mode, "exact");
+  std::vector<std::string> words;
+  for (const Setting& s : table.settings()) words.push_back(to_string(s));
+  EXPECT_EQ(words, (std::vector<std::string>{"-7", "2500", "false", "exact"}));
+}
+
+TEST(SettingTable, ErrorsNameKeyValueAndWhatWasExpected) {
+  Example e;
+  SettingTable table = e.table();
+  const auto error = [&](const char* key, const char* value) { return error_of([&] { table.set(key, value); }); };
+  EXPECT_EQ(error("depth", "2.5"), "setting 'depth': expected a whole number, got '2.5'");
+  EXPECT_EQ(error("depth", ""), "setting 'depth': expected a whole number, got ''");
+  EXPECT_EQ(error("depth", "99999999999"), "setting 'depth': expected a whole number, got '99999999999'");
+  EXPECT_EQ(error("clamp", "1x"), "setting 'clamp': expected a number, got '1x'");
+  EXPECT_EQ(error("clamp", "inf"), "setting 'clamp': expected a finite number, got 'inf'");
+  EXPECT_EQ(error("clamp", "nan"), "setting 'clamp': expected a finite number, got 'nan'");
+  EXPECT_EQ(error("direct", "yes"), "setting 'direct': expected true or false, got 'yes'");
+  EXPECT_NE(error("mode", "exakt").find("setting 'mode': unknown value 'exakt'"), std::string::npos);
+  EXPECT_NE(error("mode", "exakt").find("exact"), std::string::npos) << "the nearest word";
+  EXPECT_NE(error("dept", "1").find("unknown setting 'dept'"), std::string::npos);
+  EXPECT_NE(error("dept", "1").find("depth"), std::string::npos);
+  EXPECT_EQ(e.depth, 3) << "nothing was changed";
+  EXPECT_EQ(e.mode, "fast");
+}
+
+TEST(Methods, AreMadeByName) {
+  const auto names = method_names();
+  EXPECT_NE(std::find(names.begin(), names.end(), "path"), names.end());
+  for (const std::string& name : names) {
+    const auto method = make_method(name);
+    EXPECT_EQ(method->info().name, name);
+    EXPECT_FALSE(method->info().summary.empty());
+    EXPECT_FALSE(method->info().light_paths.empty());
+    const auto table = method->settings();
+    for (const Setting& s : table.settings()) EXPECT_FALSE(s.help.empty()) << name << " " << s.key;
+  }
+  EXPECT_NE(error_of([] { make_method("pth"); }).find("unknown method 'pth'"), std::string::npos);
+  EXPECT_NE(error_of([] { make_method("pth"); }).find("path"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lambert
