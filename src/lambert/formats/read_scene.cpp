@@ -5,6 +5,7 @@
 #include "lambert/formats/readers.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace lambert {
@@ -37,9 +38,11 @@ SceneGraph read_by_extension(const std::filesystem::path& path, const ReadSettin
   if (std::find(known.begin(), known.end(), extension) == known.end()) {
     throw Error(name + ": unknown kind of scene " + unknown_word(extension, known));
   }
+  const bool gltf = extension == ".gltf" || extension == ".glb";
+  if (!gltf && !settings.variant.empty()) notes.add("--variant is ignored: only glTF files have variants");
   const InputFile file(path);
   const std::filesystem::path folder = path.parent_path();
-  if (extension == ".gltf" || extension == ".glb") return read_gltf(file.bytes(), name, folder, settings, notes);
+  if (gltf) return read_gltf(file.bytes(), name, folder, settings, notes);
   if (extension.starts_with(".pbrt")) return read_pbrt(file.text(), name, folder, notes);
   if (extension.starts_with(".obj")) return read_obj(file.text(), name, folder, notes);
   return ply_scene(read_ply(file.bytes(), name, notes));
@@ -48,9 +51,15 @@ SceneGraph read_by_extension(const std::filesystem::path& path, const ReadSettin
 }  // namespace
 
 SceneGraph read_scene(const std::filesystem::path& path, const ReadSettings& settings, Notes& notes) {
-  SceneGraph graph = read_by_extension(path, settings, notes);
-  graph.name = path.filename().string();
-  return graph;
+  try {
+    SceneGraph graph = read_by_extension(path, settings, notes);
+    graph.name = path.filename().string();
+    return graph;
+  } catch (const Error& e) {
+    // What the scene graph refuses knows no file.
+    if (std::string_view(e.what()).find(path.filename().string()) != std::string_view::npos) throw;
+    throw Error(path.string() + ": " + e.what());
+  }
 }
 
 std::vector<std::string> scene_extensions() {

@@ -181,7 +181,12 @@ Texels decode_texels(Bytes data, const std::string& name) {
   Texels t{.width = image.width(), .height = image.height(), .channels = channels, .linear = true};
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x)
-      for (int c = 0; c < channels; ++c) t.floats.push_back(image.at(x, y, static_cast<std::size_t>(c)));
+      for (int c = 0; c < channels; ++c) {
+        const float value = image.at(x, y, static_cast<std::size_t>(c));
+        if (!std::isfinite(value))
+          throw Error(name + ": pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") is not finite");
+        t.floats.push_back(value);
+      }
   return t;
 }
 

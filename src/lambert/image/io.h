@@ -32,7 +32,8 @@ struct Texels {
   std::vector<float> floats;        ///< radiance formats, and 16-bit codes over 65535
   bool linear = false;              ///< floats that are linear light already
 };
-/// Decodes an image in memory (PNG, JPEG, WebP, TIFF, EXR, HDR, PFM). `name` is used in errors.
+/// Decodes an image in memory (PNG, JPEG, WebP, TIFF, EXR, HDR, PFM). `name` is used in errors; a number
+/// that is not finite is one.
 Texels decode_texels(std::span<const std::byte> data, const std::string& name);
 
 }  // namespace lambert

@@ -98,7 +98,13 @@ class SceneCompiler {
 };
 
 Scene compile(SceneGraph graph, const CompileSettings& settings) {
-  return Scene(SceneCompiler(std::move(graph)).run(settings));
+  const std::string name = graph.name;
+  try {
+    return Scene(SceneCompiler(std::move(graph)).run(settings));
+  } catch (const Error& e) {
+    if (name.empty()) throw;
+    throw Error(name + ": " + e.what());
+  }
 }
 
 }  // namespace lambert

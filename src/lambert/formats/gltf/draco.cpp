@@ -24,7 +24,8 @@ Size announced_size(draco::DecoderBuffer buffer, const JsonView& place) {
   if (!draco::PointCloudDecoder::DecodeHeader(&buffer, &header).ok()) fail();
   if (header.encoder_type != draco::TRIANGULAR_MESH) place.fail("the Draco data hold no triangle mesh");
   if (header.version_major != 2 || header.version_minor != 2) fail();
-  buffer.set_bitstream_version(DRACO_BITSTREAM_VERSION(header.version_major, header.version_minor));
+  buffer.set_bitstream_version(
+      static_cast<std::uint16_t>(DRACO_BITSTREAM_VERSION(header.version_major, header.version_minor)));
   if (header.flags & METADATA_FLAG_MASK) {
     draco::GeometryMetadata metadata;
     if (!draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &metadata)) fail();
