@@ -19,8 +19,6 @@ constexpr std::array<std::pair<std::string_view, SamplerKind>, 5> kinds{{
     {"blue-noise", SamplerKind::blue_noise},
 }};
 
-float top_24_bits(std::uint64_t h) { return static_cast<float>(h >> 40) * 0x1p-24f; }
-
 /// Element `i` of a pseudo-random permutation of 0..n-1 (Kensler, "Correlated Multi-Jittered Sampling", 2013).
 std::uint32_t permuted(std::uint32_t i, std::uint32_t n, std::uint32_t key) {
   std::uint32_t w = std::bit_ceil(n) - 1;
@@ -46,7 +44,7 @@ float scrambled_radical_inverse(std::uint32_t base, std::uint64_t i, std::uint64
     value += digit * width;
     prefix = mix_bits(prefix + digit + 1);
   }
-  value += width * static_cast<double>(top_24_bits(mix_bits(prefix)));
+  value += width * static_cast<double>(hash_to_float(mix_bits(prefix)));
   return std::min(static_cast<float>(value), one_minus_epsilon);
 }
 
@@ -109,7 +107,7 @@ Vec2 Sampler::general(std::uint64_t h) const {
     default: break;
   }
   const std::uint64_t own = mix_bits(h + sample_);
-  return {top_24_bits(own), top_24_bits(own << 24)};
+  return {hash_to_float(own), hash_to_float(own << 24)};
 }
 
 Vec2 Sampler::stratified(std::uint64_t h) const {
@@ -119,8 +117,8 @@ Vec2 Sampler::stratified(std::uint64_t h) const {
   const auto key = static_cast<std::uint32_t>(mix_bits(h + sample_ / cells));
   const std::uint32_t cell = permuted(sample_ % cells, cells, key);
   const std::uint64_t jitter = mix_bits(h ^ (0xabcdull << 32) ^ sample_);
-  const float x = (static_cast<float>(cell % columns) + top_24_bits(jitter)) / static_cast<float>(columns);
-  const float y = (static_cast<float>(cell / columns) + top_24_bits(jitter << 24)) / static_cast<float>(rows);
+  const float x = (static_cast<float>(cell % columns) + hash_to_float(jitter)) / static_cast<float>(columns);
+  const float y = (static_cast<float>(cell / columns) + hash_to_float(jitter << 24)) / static_cast<float>(rows);
   return {std::min(x, one_minus_epsilon), std::min(y, one_minus_epsilon)};
 }
 
