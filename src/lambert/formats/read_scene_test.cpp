@@ -41,5 +41,21 @@ TEST(ReadScene, Errors) {
   EXPECT_NE(error_of([&] { read(folder.path() / "folder.ply"); }).find("not a regular file"), std::string::npos);
 }
 
+TEST(ReadScene, VariantsAreOfGltfOnly) {
+  const TemporaryFolder folder;
+  Notes notes;
+  read_scene(folder.write("a.ply", triangle_ply), {0, "gold"}, notes);
+  EXPECT_TRUE(has_note(notes, "--variant is ignored"));
+  Notes none;
+  read_scene(folder.write("a.ply", triangle_ply), {}, none);
+  EXPECT_FALSE(has_note(none, "--variant"));
+}
+
+TEST(ReadScene, ErrorsOfTheSceneGraphNameTheFile) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("far.pbrt", "WorldBegin\nScale 1e30 1 1\nScale 1e30 1 1\nShape \"sphere\"");
+  EXPECT_NE(error_of([&] { read(path); }).find("far.pbrt"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace lambert

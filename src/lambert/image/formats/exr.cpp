@@ -23,14 +23,14 @@ class MemoryInput final : public Imf::IStream {
   MemoryInput(Bytes data, const std::string& name) : IStream(name.c_str()), data_(data) {}
   bool read(char c[], int n) override {
     const auto count = static_cast<std::size_t>(std::max(n, 0));
-    if (count > data_.size() - at_) throw Error("ends at byte " + std::to_string(data_.size()));
+    if (count > data_.size() - at_) decode_error(fileName(), "ends at byte " + std::to_string(data_.size()));
     std::memcpy(c, data_.data() + at_, count);
     at_ += count;
     return at_ < data_.size();
   }
   std::uint64_t tellg() override { return at_; }
   void seekg(std::uint64_t position) override {
-    if (position > data_.size()) throw Error("points behind its end");
+    if (position > data_.size()) decode_error(fileName(), "points behind its end");
     at_ = static_cast<std::size_t>(position);
   }
 
