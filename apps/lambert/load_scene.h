@@ -10,7 +10,7 @@ namespace lambert::cli {
 
 /// Which scene, as every command that reads one takes it.
 struct SceneOptions {
-  std::string file;  ///< empty: the built-in Cornell box
+  std::string file;         ///< empty: the built-in Cornell box
   std::string environment;  ///< an image, or "studio"; empty: what the scene has
   float time = 0;
   std::string variant;

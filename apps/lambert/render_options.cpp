@@ -64,9 +64,11 @@ std::string default_output(const std::string& scene) {
 void add_render_options(CLI::App& app, RenderOptions& o) {
   add_scene_options(app, o.scene);
   app.add_option("-o,--output", o.outputs, "Image to write, several allowed: " + joined(image_extensions()))
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   app.add_option("--method", o.method, "How to render (see 'lambert methods')")->capture_default_str();
-  app.add_option("--set", o.method_settings, "A setting of the method, key=value; several allowed");
+  app.add_option("--set", o.method_settings, "A setting of the method, key=value; several allowed")
+      ->allow_extra_args(false);
   app.add_option("--spp", o.samples_per_pixel, "Samples per pixel (at most, with --target-error)");
   app.add_option("--time-limit", o.time_limit, "Stop after this many seconds");
   app.add_option("--target-error", o.target_error,
@@ -79,7 +81,9 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
   app.add_option("--sampler", o.sampler, "Sample points: " + joined(sampler_names()));
   app.add_option("--filter", o.filter, "Pixel filter: " + joined(filter_names()));
   app.add_option("--lights", o.lights, "Choice of lights: " + joined(light_strategy_names()));
-  app.add_option("--aov", o.aovs, "Extra layers of an EXR: " + joined(aov_names()) + ", or all")->delimiter(',');
+  app.add_option("--aov", o.aovs, "Extra layers of an EXR: " + joined(aov_names()) + ", or all")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   app.add_option("--pass-size", o.pass_size, "Samples per pixel and pass (0: growing); does not change the image")
       ->capture_default_str();
   app.add_option("--exposure", o.exposure, "Stops, for display formats")->capture_default_str();

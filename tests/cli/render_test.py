@@ -72,6 +72,13 @@ class Environment(CommandLineTest):
         self.assertIn("sky.hdr", self.lambert("render", "--environment", "sky.hdr", status=1).stderr)
 
 
+class Order(CommandLineTest):
+    def test_options_may_stand_before_the_scene(self):
+        (self.folder / "ball.pbrt").write_text(DefaultOutput.SCENE)
+        self.lambert("render", "-o", "a.png", "-o", "b.png", "--aov", "albedo,depth", "--set", "max-depth=2", "ball.pbrt", *SMALL)
+        self.assertEqual(self.files(), ["a.png", "b.png", "ball.pbrt"])
+
+
 class DefaultOutput(CommandLineTest):
     SCENE = 'Camera "perspective"\nFilm "rgb" "integer xresolution" 8 "integer yresolution" 8\nWorldBegin\nShape "sphere"\n'
 

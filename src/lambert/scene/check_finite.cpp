@@ -47,10 +47,28 @@ struct ModelIsFinite {
     return all_finite(m.base_colour, m.metallic, m.roughness, m.ior, m.dispersion, m.specular, m.specular_colour,
                       m.clearcoat, m.clearcoat_roughness) &&
            all_finite(m.sheen_colour, m.sheen_roughness, m.anisotropy, m.anisotropy_rotation, m.iridescence,
-                      m.iridescence_ior, m.transmission);
+                      m.iridescence_ior, m.iridescence_thickness_min, m.iridescence_thickness_max,
+                      m.iridescence_thickness, m.transmission);
   }
   bool operator()(const MixMaterial& m) const { return finite(m.amount); }
 };
+
+struct ProjectionIsFinite {
+  bool operator()(const Perspective& p) const { return plane_is_finite(p); }
+  bool operator()(const Orthographic& p) const { return plane_is_finite(p); }
+  bool operator()(const Panoramic&) const { return true; }
+
+ private:
+  template <class Plane>
+  static bool plane_is_finite(const Plane& p) {
+    return all_finite(p.half_width, p.half_height, p.centre.x, p.centre.y, p.lens_radius, p.focal_distance);
+  }
+};
+
+bool finite(const Camera& c) {
+  return is_finite(c.to_world.matrix()) && std::visit(ProjectionIsFinite{}, c.projection) &&
+         all_finite(c.shutter_open, c.shutter_close);
+}
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(what + " has a number that is not finite"); }
 
@@ -65,8 +83,7 @@ void check_finite(const SceneGraph& graph) {
       refuse("material '" + m.name + "'");
   }
   for (const Camera& c : graph.cameras())
-    for (int column = 0; column < 4; ++column)
-      if (!finite(Vec3(c.to_world.matrix()[column]))) refuse("camera '" + c.name + "'");
+    if (!finite(c)) refuse("camera '" + c.name + "'");
   for (NodeId n = 0; n < graph.node_count(); ++n)
     for (const Surface& s : graph.surfaces(n))
       if (s.emission && !finite(*s.emission)) refuse("the emission of node '" + graph.node_name(n) + "'");

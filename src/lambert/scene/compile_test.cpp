@@ -120,6 +120,10 @@ TEST(CheckFinite, NamesTheCameraAndTheEmittingNode) {
   with_camera.add_camera({.name = "eye", .to_world = Transform::translate({nan, 0, 0})});
   expect_refused(std::move(with_camera), "camera 'eye' has a number that is not finite");
 
+  SceneGraph with_lens = one_box();
+  with_lens.add_camera({.name = "lens", .projection = Perspective{.lens_radius = nan}});
+  expect_refused(std::move(with_lens), "camera 'lens' has a number that is not finite");
+
   SceneGraph with_lamp = one_box();
   Surface lamp{.geometry = 0, .material = 0};
   lamp.emission = Emission{.radiance = {Rgb(nan)}};
