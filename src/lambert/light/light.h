@@ -119,6 +119,7 @@ class QuadLight {
   Vec3 axis_u_, axis_v_, normal_;  // of unit length
   float length_u_, length_v_, area_;
   float least_height_;  // nearer to the plane the area is sampled; infinite when this is no rectangle
+  float far_squared_;   // of the distance to the centre beyond which the area is sampled
   std::array<Vec2, 3> uv_;
   Emission emission_;
 };

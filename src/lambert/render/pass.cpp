@@ -24,7 +24,7 @@ FilmSample take_sample(const PassContext& c, const Film& film, Vec2i pixel, std:
   const CameraRay ray = c.camera.ray(Vec2(pixel) + 0.5f + filtered.offset, lens, time);
   Method::Estimate estimate = c.method.radiance(ray, sampler, film.keeps_features());
   rays += estimate.rays;
-  estimate.features.depth = c.camera.axis_depth(ray.ray, estimate.features.depth);
+  if (film.keeps_features()) estimate.features.depth = c.camera.axis_depth(ray.ray, estimate.features.depth);
   return {estimate.radiance, filtered.weight, estimate.features};
 }
 
