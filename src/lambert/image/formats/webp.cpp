@@ -12,8 +12,8 @@ Texels decode_webp(Bytes data, const std::string& name) {
   if (WebPGetFeatures(bytes, data.size(), &features) != VP8_STATUS_OK)
     decode_error(name, "is not a complete WebP file");
   // "RIFF", the size of what follows, "WEBP"; the decoder is content when the pixels it needs are there.
-  if (const std::uint64_t size = bytes[4] | bytes[5] << 8 | bytes[6] << 16 | static_cast<std::uint64_t>(bytes[7]) << 24;
-      size + 8 > data.size())
+  const auto size_byte = [bytes](int i) { return std::uint64_t{bytes[4 + i]} << (8 * i); };
+  if (const std::uint64_t size = size_byte(0) | size_byte(1) | size_byte(2) | size_byte(3); size + 8 > data.size())
     decode_error(name, "ends at byte " + std::to_string(data.size()) + ", expected " + std::to_string(size + 8));
   if (features.has_animation) decode_error(name, "is an animation, expected a still image");
   check_image_size(name, static_cast<std::uint64_t>(features.width), static_cast<std::uint64_t>(features.height),
