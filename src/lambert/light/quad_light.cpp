@@ -12,8 +12,8 @@ namespace {
 // Below this solid angle [sr], and nearer to the plane than this part of the longer edge, rounding spoils the spherical
 // rectangle; little is lost there by sampling its area.
 constexpr float least_solid_angle = 0.004f, least_height = 3e-4f;
-// From further away than this many diagonals, r³ varies so little over the rectangle that sampling its area is as good,
-// and takes a third of the time.
+// From further away than this many diagonals, r³ varies so little over the rectangle that sampling its area serves as
+// well, with no trigonometric function.
 constexpr float far_in_diagonals = 2;
 
 std::optional<ProjectedRectangle> good_rectangle(Vec2 corner, Vec2 size) {
