@@ -110,7 +110,7 @@ Expansion<2 * n * m> operator*(const Expansion<n>& a, const Expansion<m>& b) {
   Expansion<2 * n * m> product;
   for (std::size_t j = 0; j < b.size(); ++j) {
     const Expansion<2 * n> part = a * b[j];
-    Expansion<2 * n * m> sum = product;
+    Expansion<2 * n* m> sum = product;
     for (std::size_t k = 0; k < part.size(); ++k) {
       Expansion<2 * n * m> grown;
       double carry = part[k];
