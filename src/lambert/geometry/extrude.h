@@ -12,7 +12,8 @@ struct Extrusion {
 };
 
 /// The prism that a region of the plane z = 0 leaves when it moves by `along`: two triangles for each edge, and two
-/// caps, with holes. Closed (is_closed()) when rings touch themselves and each other in common vertices at most. uv of
+/// caps, with holes. Closed (is_closed()) when rings do not cross; they may touch. Vertices on
+/// an edge of another ring are added to it. uv of
 /// the sides: along the ring and along the movement; of the caps: the place in the bounding box.
 /// Throws Error when `along` lies in the plane, something is not finite or the region has no area. O(n log n).
 TriangleMesh extrude(const polygon::Region& region, const Extrusion& extrusion = {});

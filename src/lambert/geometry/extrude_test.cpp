@@ -91,6 +91,24 @@ TEST(Extrude, RepeatedAndCollinearVertices) {
 }
 
 // rows: PG-38
+TEST(Extrude, TouchingRingsStayClosed) {
+  // Holes that touch the outer ring's edges and each other with a corner or along an edge.
+  const Ring outer{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
+  for (const polygon::Rings& holes :
+       {polygon::Rings{{{4, 0}, {2, 2}, {6, 2}}}, polygon::Rings{{{4, 0}, {2, 4}, {4, 8}, {6, 4}}},
+        polygon::Rings{{{2, 0}, {2, 2}, {4, 2}, {4, 0}}},
+        polygon::Rings{{{1, 1}, {1, 4}, {4, 4}}, {{2, 1}, {3, 3}, {5, 1}}},
+        polygon::Rings{{{8, 1}, {7, 1}, {7, 3}, {8, 3}}, {{8, 3}, {7, 4}, {8, 5}}}}) {
+    const Region region{outer, holes};
+    double inside = 64;
+    for (const Ring& hole : holes) inside -= std::abs(polygon::signed_area(hole));
+    const TriangleMesh mesh = extrude(region);
+    EXPECT_TRUE(is_closed(mesh));
+    EXPECT_NEAR(mesh.volume(), inside, 1e-5);
+  }
+}
+
+// rows: PG-38
 TEST(Extrude, SeveralRegionsAndErrors) {
   const Region apart{{{9, 0}, {10, 0}, {10, 1}, {9, 1}}, {}};
   const TriangleMesh both = extrude(polygon::Regions{square, apart}, {.along = {0, 0, 2}});

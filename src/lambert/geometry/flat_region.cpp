@@ -1,6 +1,7 @@
 #include "lambert/geometry/flat_region.h"
 
 #include "lambert/base/error.h"
+#include "lambert/polygon/predicates.h"
 #include "lambert/polygon/triangulate.h"
 
 #include <glm/common.hpp>
@@ -8,6 +9,32 @@
 #include <algorithm>
 
 namespace lambert {
+namespace {
+
+/// Vertices of any ring that lie on an edge become vertices of it, so that caps and sides meet edge to edge. O(n log n)
+/// where few vertices lie between the ends of an edge from left to right.
+void split_edges(polygon::Rings& rings) {
+  const auto before = [](Vec2d a, Vec2d b) { return polygon::compare_xy(a, b) < 0; };
+  std::vector<Vec2d> all;
+  for (const polygon::Ring& ring : rings) all.insert(all.end(), ring.begin(), ring.end());
+  std::sort(all.begin(), all.end(), before);
+  for (polygon::Ring& ring : rings) {
+    polygon::Ring split;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2d a = ring[i], b = ring[polygon::next_index(i, ring.size())];
+      split.push_back(a);
+      const auto [left, right] = std::minmax(a, b, before);
+      const auto [bottom, top] = std::minmax(a.y, b.y);
+      const std::size_t first = split.size();
+      for (auto p = std::upper_bound(all.begin(), all.end(), left, before); p != all.end() && before(*p, right); ++p)
+        if (p->y >= bottom && p->y <= top && *p != split.back() && polygon::on_segment(a, b, *p)) split.push_back(*p);
+      if (before(b, a)) std::reverse(split.begin() + static_cast<std::ptrdiff_t>(first), split.end());
+    }
+    ring = std::move(split);
+  }
+}
+
+}  // namespace
 
 FlatRegion flat_region(const polygon::Region& region, const std::string& what) {
   FlatRegion flat;
@@ -18,8 +45,9 @@ FlatRegion flat_region(const polygon::Region& region, const std::string& what) {
       if (!is_finite(Vec3(Vec2(p), 0)))
         throw Error(what + ": ring " + std::to_string(i) + " has a vertex that is not finite");
     if ((polygon::signed_area(ring) > 0) != (i == 0)) std::reverse(ring.begin(), ring.end());
-    flat.vertices.insert(flat.vertices.end(), ring.begin(), ring.end());
   }
+  split_edges(flat.rings);
+  for (const polygon::Ring& ring : flat.rings) flat.vertices.insert(flat.vertices.end(), ring.begin(), ring.end());
   flat.triangles = polygon::triangulate(flat.rings);
   if (flat.triangles.empty()) throw Error(what + ": the region has no area");
 

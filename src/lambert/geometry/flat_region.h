@@ -15,8 +15,8 @@ struct FlatRegion {
   std::vector<Triangle> triangles;
 };
 
-/// Turns rings to their orientation. Throws Error, which begins with `what`, when a coordinate is not finite as a float
-/// or nothing is enclosed.
+/// Turns rings to their orientation and adds to edges the vertices of others that lie on them. Throws Error, which
+/// begins with `what`, when a coordinate is not finite as a float or nothing is enclosed.
 FlatRegion flat_region(const polygon::Region& region, const std::string& what);
 
 }  // namespace lambert

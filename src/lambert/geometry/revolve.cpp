@@ -1,8 +1,8 @@
 #include "lambert/geometry/revolve.h"
 
 #include "lambert/base/error.h"
-#include "lambert/geometry/unit_circle.h"
 #include "lambert/geometry/flat_region.h"
+#include "lambert/geometry/unit_circle.h"
 
 #include <cmath>
 

@@ -44,7 +44,9 @@ Vec2d ClipLine::crossing(Vec2d a, Vec2d b) const {
   if (compare_xy(b, a) < 0) std::swap(a, b);
   if (is_vertical()) return {tail.x, interpolate(a.y, b.y, crossing_parameter(a.x - tail.x, b.x - tail.x))};
   if (is_horizontal()) return {interpolate(a.x, b.x, crossing_parameter(a.y - tail.y, b.y - tail.y)), tail.y};
-  const double t = crossing_parameter(accurate_cross(tail, head, a), accurate_cross(tail, head, b));
+  const bool ahead = compare_xy(tail, head) < 0;
+  const Vec2d low = ahead ? tail : head, high = ahead ? head : tail;
+  const double t = crossing_parameter(accurate_cross(low, high, a), accurate_cross(low, high, b));
   return {interpolate(a.x, b.x, t), interpolate(a.y, b.y, t)};
 }
 

@@ -173,13 +173,13 @@ TEST(ClipLine, CrossingsDependNeitherOnDirectionNorOnSide) {
       }
       // In long double, so that the oracle's own rounding does not show.
       using Long = long double;
-      const auto distance = [&](Vec2d q) {
-        return (Long(line.head.x) - line.tail.x) * (Long(q.y) - line.tail.y) -
-               (Long(line.head.y) - line.tail.y) * (Long(q.x) - line.tail.x);
-      };
-      const Long t = distance(a) / (distance(a) - distance(b)), unit = 0x1p-52L * size;
-      ASSERT_LE(std::abs(p.x - (a.x + t * (Long(b.x) - a.x))), 4 * unit);
-      ASSERT_LE(std::abs(p.y - (a.y + t * (Long(b.y) - a.y))), 4 * unit);
+      const Long tx = Long(line.tail.x), ty = Long(line.tail.y), hx = Long(line.head.x), hy = Long(line.head.y);
+      const auto distance = [&](Long x, Long y) { return (hx - tx) * (y - ty) - (hy - ty) * (x - tx); };
+      const Long ax = Long(a.x), ay = Long(a.y), bx = Long(b.x), by = Long(b.y), px = Long(p.x), py = Long(p.y);
+      const Long t = distance(ax, ay) / (distance(ax, ay) - distance(bx, by)), largest = std::max({ax, ay, bx, by}),
+                 most = 4 * 0x1p-52L * largest;
+      ASSERT_LE(std::abs(px - (ax + t * (bx - ax))), most);
+      ASSERT_LE(std::abs(py - (ay + t * (by - ay))), most);
     }
   }
   EXPECT_GT(crossings, 10000);

@@ -65,13 +65,31 @@ bool ScanRows::next() {
   for (; waiting_ < edges_.size() && edges_[waiting_].first_row == y_; ++waiting_) active_.push_back(edges_[waiting_]);
   const double centre_y = y_ + 0.5;
   for (const Edge& edge : active_) crossings_.push_back({column(edge, centre_y), edge.winding});
-  std::sort(crossings_.begin(), crossings_.end(), [](RowCrossing a, RowCrossing b) { return a.x < b.x; });
+  sort_crossings();
   return true;
+}
+
+/// By columns when there are many crossings for each: then those of one column become one, with the sum of their gains.
+void ScanRows::sort_crossings() {
+  const auto columns = static_cast<std::size_t>(static_cast<long>(window_.x_end) - window_.x_begin) + 1;
+  if (columns > 4 * crossings_.size()) {
+    std::sort(crossings_.begin(), crossings_.end(), [](RowCrossing a, RowCrossing b) { return a.x < b.x; });
+    return;
+  }
+  gains_.assign(columns, 0);
+  for (const RowCrossing crossing : crossings_)
+    gains_[static_cast<std::size_t>(static_cast<long>(crossing.x) - window_.x_begin)] += crossing.winding;
+  crossings_.clear();
+  for (std::size_t i = 0; i < columns; ++i)
+    if (gains_[i] != 0) crossings_.push_back({static_cast<int>(window_.x_begin + static_cast<long>(i)), gains_[i]});
 }
 
 /// The first column whose centre lies on the edge or towards +x of it.
 int ScanRows::column(const Edge& edge, double centre_y) const {
   const double x = edge.low.x + (centre_y - edge.low.y) * edge.slope;
+  const double from_centre = x - 0.5, next = std::ceil(from_centre);
+  if (next - from_centre > edge.margin && from_centre - (next - 1) > edge.margin)
+    return static_cast<int>(std::clamp<double>(next, window_.x_begin, window_.x_end));
   int low = window_.x_begin, high = window_.x_end;
   if (std::isfinite(x)) {
     low = first_centre_from(x - edge.margin, window_.x_begin, window_.x_end);

@@ -25,10 +25,10 @@ PixelWindow pixel_window(const Rings& rings);
 inline constexpr auto positive_winding = [](int winding) { return winding > 0; };
 inline constexpr auto negative_winding = [](int winding) { return winding < 0; };
 
-/// An edge passes between the centres of the columns x - 1 and x of a row.
+/// One edge or several pass between the centres of the columns x - 1 and x of a row.
 struct RowCrossing {
   int x;
-  int winding;  ///< what the winding number gains towards +x
+  int winding;  ///< what the winding number gains there towards +x
   bool operator==(const RowCrossing&) const = default;
 };
 
@@ -56,11 +56,13 @@ class ScanRows {
   };
 
   int column(const Edge& edge, double centre_y) const;
+  void sort_crossings();
 
   PixelWindow window_;
   std::vector<Edge> edges_;  ///< by first row
   std::vector<Edge> active_;
   std::vector<RowCrossing> crossings_;
+  std::vector<int> gains_;  ///< of each column
   std::size_t waiting_ = 0;
   int y_ = 0;
 };
