@@ -12,10 +12,10 @@ struct Extrusion {
 };
 
 /// The prism that a region of the plane z = 0 leaves when it moves by `along`: two triangles for each edge, and two
-/// caps, with holes. Closed (is_closed()) when rings do not cross; they may touch. Vertices on
-/// an edge of another ring are added to it. uv of
-/// the sides: along the ring and along the movement; of the caps: the place in the bounding box.
-/// Throws Error when `along` lies in the plane, something is not finite or the region has no area. O(n log n).
+/// caps, with holes. Closed (is_closed()) when rings do not cross and holes lie inside; they may touch: vertices on an
+/// edge of another ring are added to it. uv of the sides: along the ring and along the movement; of the caps: the place
+/// in the bounding box. Throws Error when `along` lies in the plane, something is not finite or the region has no area.
+/// O(n log n) but for that search for touching vertices (flat_region.cpp).
 TriangleMesh extrude(const polygon::Region& region, const Extrusion& extrusion = {});
 
 /// All in one mesh.

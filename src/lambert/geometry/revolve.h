@@ -25,8 +25,8 @@ struct Revolution {
 TriangleMesh revolve(std::span<const Vec3d> profile, const Revolution& revolution = {});
 
 /// The solid that a region leaves whose x is the distance from the line and y the height along it; less than a full
-/// revolution gets caps at both ends. Closed (is_closed()) when rings do not cross; they may touch. Throws as
-/// above, and when an x is negative or the region has no area.
+/// revolution gets caps at both ends. Closed (is_closed()) when rings do not cross and holes lie inside; they may
+/// touch. Throws as above, and when an x is negative or the region has no area.
 TriangleMesh revolve(const polygon::Region& region, const Revolution& revolution = {});
 
 SolidCounts revolution_counts(std::span<const Vec3d> profile, const Revolution& revolution = {});
