@@ -18,6 +18,7 @@ using Side = IntervalTree::Side;
 /// Edge i joins vertex i and its successor.
 class Sweep {
  public:
+  /// The rings must outlive it.
   explicit Sweep(const FlatRings& rings)
       : points_(rings.vertices),
         next_(successors(rings)),
@@ -295,7 +296,10 @@ class Sweep {
 
 }  // namespace
 
-std::vector<Triangle> triangulate(const FlatRings& rings) { return Sweep(rings).run(); }
+std::vector<Triangle> triangulate(const FlatRings& rings) {
+  const double scale = scale_for_predicates(rings);
+  return scale == 1 ? Sweep(rings).run() : Sweep(scaled(rings, scale)).run();
+}
 std::vector<Triangle> triangulate(const Rings& rings) { return triangulate(flat(rings)); }
 std::vector<Triangle> triangulate(const Region& region) { return triangulate(flat(region)); }
 

@@ -75,13 +75,14 @@ TEST(Triangulate, AQuarterTurnKeepsTheCount) {
 
 TEST(Triangulate, ScaleDoesNotMatter) {
   test::for_each_valid_region(7, 10, [&](const Region& region) {
-    const auto triangles = triangulate(region);
-    for (const double scale : {0x1p-200, 0x1p150}) {
+    const auto triangles = triangulate(region), best = delaunay(region);
+    for (const double scale : {0x1p-900, 0x1p-200, 0x1p150, 0x1p1000}) {
       Region scaled = region;
       for (Vec2d& p : scaled.outer) p *= scale;
       for (Ring& hole : scaled.holes)
         for (Vec2d& p : hole) p *= scale;
       ASSERT_EQ(triangulate(scaled), triangles);
+      ASSERT_EQ(delaunay(scaled), best);
     }
   });
 }
@@ -139,6 +140,44 @@ TEST(Triangulate, RingsMayTouch) {
       }
     }
   }
+}
+
+// Any rings on a small grid whose edges meet in nothing but vertices of both: crossings there, edges on each other,
+// repeated vertices. The even-odd rule at random points is the oracle.
+TEST(Triangulate, RingsThatMeetInVerticesAreTiled) {
+  test::Random random(18);
+  int tried = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Rings rings(1 + test::below(random, 2));
+    for (Ring& ring : rings)
+      for (std::size_t k = 3 + test::below(random, 6); k > 0; --k)
+        ring.emplace_back(static_cast<double>(test::below(random, 4)), static_cast<double>(test::below(random, 4)));
+    std::vector<std::pair<Vec2d, Vec2d>> edges;
+    for (const Ring& ring : rings)
+      for (std::size_t k = 0; k < ring.size(); ++k) edges.emplace_back(ring[k], ring[next_index(k, ring.size())]);
+    const auto meets_another = [&](const auto& e) {
+      return std::any_of(edges.begin(), edges.end(),
+                         [&](const auto& f) { return test::segments_meet(e.first, e.second, f.first, f.second); });
+    };
+    if (std::any_of(edges.begin(), edges.end(), meets_another)) continue;
+    ++tried;
+    const FlatRings all = flat(rings);
+    for (const auto& triangles : {triangulate(all), delaunay(all)}) {
+      const auto corners = test::corners_of(triangles, all.vertices);
+      for (int k = 0; k < 10; ++k) {
+        const Vec2d p(test::between(random, 0, 3), test::between(random, 0, 3));
+        int covering = 0, on_a_side = 0;
+        for (const Ring& t : corners) {
+          covering += test::locate({t}, p) > 0;
+          on_a_side += test::locate({t}, p) == 0;
+        }
+        if (on_a_side == 0) {
+          ASSERT_EQ(covering, test::locate(rings, p) > 0 ? 1 : 0);
+        }
+      }
+    }
+  }
+  EXPECT_GT(tried, 3000);
 }
 
 TEST(Triangulate, EdgesThatCrossInAVertexAreTiled) {
@@ -248,7 +287,7 @@ TEST(Triangulate, AnythingEnds) {
   for (int i = 0; i < 20000; ++i) {
     Rings rings(1 + test::below(random, 3));
     const std::size_t grid = 2 + test::below(random, 6);
-    const double scale = std::exp2(static_cast<double>(test::below(random, 300)) - 150);
+    const double scale = std::exp2(static_cast<double>(test::below(random, 2000)) - 1000);
     for (Ring& ring : rings)
       for (std::size_t k = test::below(random, 12); k > 0; --k)
         ring.push_back(scale * Vec2d(static_cast<double>(test::below(random, grid)),
@@ -257,7 +296,7 @@ TEST(Triangulate, AnythingEnds) {
     for (const auto& triangles : {triangulate(all), delaunay(all)}) {
       ASSERT_LE(triangles.size(), 3 * all.vertices.size());
       for (const Triangle& t : triangles)
-        ASSERT_GT(orientation(all.vertices[t[0]], all.vertices[t[1]], all.vertices[t[2]]), 0);
+        ASSERT_GT(orientation(all.vertices[t[0]] / scale, all.vertices[t[1]] / scale, all.vertices[t[2]] / scale), 0);
     }
   }
 }
