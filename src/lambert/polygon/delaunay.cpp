@@ -1,6 +1,5 @@
 #include "lambert/polygon/delaunay.h"
 
-#include "lambert/polygon/interval_tree.h"
 #include "lambert/polygon/predicates.h"
 #include "lambert/polygon/sorted_points.h"
 #include "lambert/polygon/triangle_links.h"
@@ -36,10 +35,14 @@ class Flipper {
   void run() {
     for (Index side = 0; side < opposite_.size(); ++side)
       if (opposite_[side] != no_index && side < opposite_[side]) waiting_.push_back(side);
-    while (!waiting_.empty()) {
+    // Exact decisions never come back to a triangulation; more flips than this mean that they have underflown.
+    std::size_t flips_left = triangles_.size() * triangles_.size();
+    while (!waiting_.empty() && flips_left > 0) {
       const Index side = waiting_.back();
       waiting_.pop_back();
-      if (opposite_[side] != no_index && !is_delaunay(side)) flip(side);
+      if (opposite_[side] == no_index || is_delaunay(side)) continue;
+      flip(side);
+      --flips_left;
     }
   }
 
@@ -76,6 +79,7 @@ class Flipper {
 }  // namespace
 
 std::vector<Triangle> delaunay(const FlatRings& rings) {
+  if (const double scale = scale_for_predicates(rings); scale != 1) return delaunay(scaled(rings, scale));
   std::vector<Triangle> triangles = triangulate(rings);
   merge_places(rings.vertices, triangles);
   Flipper(rings.vertices, triangles).run();

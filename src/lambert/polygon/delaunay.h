@@ -11,8 +11,8 @@ namespace lambert::polygon {
 /// vertices allows (Lee and Lin 1986). Where four vertices lie on one circle, either diagonal may stand. Decided
 /// exactly.
 ///
-/// Lawson's flips (1977), beginning with triangulate(): n^2 of them in the worst case, fewer than 2 n in all polygons
-/// measured, since those leave few diagonals to choose. Where vertices coincide, the triangles name the first.
+/// Lawson's flips (1977), beginning with triangulate(): n^2 of them in the worst case, about 2 n or fewer in all
+/// polygons measured, which leave few diagonals to choose. Where vertices coincide, the triangles name the first.
 std::vector<Triangle> delaunay(const FlatRings& rings);
 std::vector<Triangle> delaunay(const Rings& rings);
 std::vector<Triangle> delaunay(const Region& region);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <utility>
 
 namespace lambert::polygon {
@@ -14,26 +15,36 @@ namespace {
 using Index = std::uint32_t;
 using Side = IntervalTree::Side;
 
-/// Edge i runs from vertex i to its successor.
+/// Edge i joins vertex i and its successor.
 class Sweep {
  public:
+  /// The rings must outlive it.
   explicit Sweep(const FlatRings& rings)
-      : points_(rings.vertices), next_(successors(rings)), previous_(next_.size()), owner_(next_.size(), no_index) {
-    for (Index i = 0; i < next_.size(); ++i) previous_[next_[i]] = i;
+      : points_(rings.vertices),
+        next_(successors(rings)),
+        previous_(next_.size()),
+        left_(next_.size()),
+        right_(next_.size()),
+        owner_(next_.size(), no_index) {
+    for (Index i = 0; i < next_.size(); ++i) {
+      previous_[next_[i]] = i;
+      const bool rightwards = compare_xy(points_[i], points_[next_[i]]) < 0;
+      left_[i] = rightwards ? i : next_[i];
+      right_[i] = rightwards ? next_[i] : i;
+    }
     triangles_.reserve(points_.size());
     nodes_.reserve(points_.size() + points_.size() / 2);
   }
 
   std::vector<Triangle> run() {
     const std::vector<Index> order = sorted_left_to_right(points_);
-    for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
-      end = i + 1;
-      while (end < order.size() && points_[order[end]] == points_[order[i]]) ++end;
-      if (end == i + 1)
-        visit(order[i]);
+    for (auto i = order.begin(); i != order.end();) {
+      const auto begin = i;
+      while (i != order.end() && points_[*i] == points_[*begin]) ++i;
+      if (i == begin + 1 && (trimmed_.empty() || !trimmed_.count(*begin)))
+        visit(*begin);
       else
-        visit_together(
-            {order.begin() + static_cast<std::ptrdiff_t>(i), order.begin() + static_cast<std::ptrdiff_t>(end)});
+        visit_together({begin, i});
     }
     return std::move(triangles_);
   }
@@ -51,45 +62,81 @@ class Sweep {
     Index first, last, end;  // nodes: left end of the lower edge, the last one visited, left end of the upper edge
   };
 
-  Vec2d left_of(Index edge) const {
-    const Vec2d a = points_[edge], b = points_[next_[edge]];
-    return compare_xy(a, b) < 0 ? a : b;
-  }
-  Vec2d right_of(Index edge) const {
-    const Vec2d a = points_[edge], b = points_[next_[edge]];
-    return compare_xy(a, b) < 0 ? b : a;
-  }
+  Vec2d left_of(Index edge) const { return points_[left_[edge]]; }
+  Vec2d right_of(Index edge) const { return points_[right_[edge]]; }
 
   void visit(Index v) {
     const Index in = previous_[v], out = v;
-    const bool in_is_left = compare_xy(points_[in], points_[v]) < 0;
-    const bool out_is_left = compare_xy(points_[next_[v]], points_[v]) < 0;
-    if (in_is_left != out_is_left) return pass(v, in_is_left ? in : out, in_is_left ? out : in);
-    if (in == out || points_[in] == points_[v]) return;
-    const bool left_turn = orientation(points_[in], points_[v], points_[next_[v]]) > 0;
-    if (in_is_left)
-      close(v, left_turn ? in : out, left_turn ? out : in);
+    if (in == out) return;
+    const bool in_arrives = right_[in] == v, out_arrives = right_[out] == v;
+    if (in_arrives != out_arrives) return pass(v, in_arrives ? in : out, in_arrives ? out : in);
+    const int turn = orientation(points_[in], points_[v], points_[next_[v]]);
+    if (turn == 0) return visit_together({v});
+    if (in_arrives)
+      close(v, turn > 0 ? in : out, turn > 0 ? out : in);
     else
-      open(v, left_turn ? out : in, left_turn ? in : out);
+      open(v, turn > 0 ? out : in, turn > 0 ? in : out);
   }
 
   /// Vertices in one place: which of their edges were paired does not matter, and any pairs that do not cross give the
   /// same interior.
   void visit_together(const std::vector<Index>& vertices) {
-    const Vec2d p = points_[vertices[0]];
-    std::vector<Index> lefts, rights;
-    const auto sort_in = [&](Index edge, Vec2d other) {
-      if (const int order = compare_xy(other, p); order != 0) (order < 0 ? lefts : rights).push_back(edge);
-    };
-    for (const Index v : vertices) sort_in(previous_[v], points_[previous_[v]]), sort_in(v, points_[next_[v]]);
-    std::sort(lefts.begin(), lefts.end(), [&](Index a, Index b) { return orientation(left_of(a), p, left_of(b)) > 0; });
-    std::sort(rights.begin(), rights.end(),
-              [&](Index a, Index b) { return orientation(p, right_of(a), right_of(b)) > 0; });
     const Index v = vertices[0];
+    const Vec2d p = points_[v];
+    std::vector<Index> lefts, rights;
+    for (const Index at : vertices) {
+      for (const auto& [edge, other] : {std::pair(previous_[at], previous_[at]), std::pair(at, next_[at])}) {
+        const int order = compare_xy(points_[other], p);
+        if (order > 0) rights.push_back(edge);
+        if (order < 0 && owner_[edge] != no_index) lefts.push_back(edge);
+      }
+      const auto [first, last] = trimmed_.equal_range(at);
+      for (auto it = first; it != last; ++it) rights.push_back(it->second);
+      trimmed_.erase(first, last);
+    }
+    std::sort(lefts.begin(), lefts.end(), [&](Index a, Index b) { return orientation(left_of(a), p, left_of(b)) > 0; });
+    std::sort(rights.begin(), rights.end(), [&](Index a, Index b) {
+      const int turn = orientation(p, right_of(a), right_of(b));
+      return turn != 0 ? turn > 0 : compare_xy(right_of(a), right_of(b)) < 0;
+    });
+    drop_coincident(rights, p);
+    close_coincident(v, lefts);
     std::size_t i = 0, k = 0;
     for (; i + 1 < lefts.size(); i += 2) close(v, lefts[i], lefts[i + 1]);
     if (i < lefts.size() && k < rights.size()) pass(v, lefts[i], rights[k++]);
     for (; k + 1 < rights.size(); k += 2) open(v, rights[k], rights[k + 1]);
+  }
+
+  /// Two edges enclose nothing as far as they coincide: of each pair that leaves p in one direction only what the
+  /// longer one has beyond the shorter is kept, for later. The longest go first, so that no rest lies on an edge that
+  /// stays.
+  void drop_coincident(std::vector<Index>& rights, Vec2d p) {
+    for (std::size_t k = rights.size(); k-- > 1;) {
+      const Index shorter = rights[k - 1], longer = rights[k];
+      if (orientation(p, right_of(shorter), right_of(longer)) != 0) continue;
+      if (right_of(shorter) != right_of(longer)) {
+        left_[longer] = right_[shorter];
+        trimmed_.emplace(right_[shorter], longer);
+      }
+      const auto first = rights.begin() + static_cast<std::ptrdiff_t>(k - 1);
+      rights.erase(first, first + 2);
+      if (--k == 0) break;
+    }
+  }
+
+  /// Of edges that arrive in one direction, whose order is not known, closes pairs with the interior on opposite sides.
+  void close_coincident(Index v, std::vector<Index>& lefts) {
+    const auto is_lower = [&](Index edge) { return intervals_[owner_[edge]].lower == edge; };
+    for (std::size_t k = 0; k + 1 < lefts.size();) {
+      const Index a = lefts[k], b = lefts[k + 1];
+      if (orientation(left_of(a), points_[v], left_of(b)) == 0 && is_lower(a) != is_lower(b)) {
+        close(v, a, b);
+        lefts.erase(lefts.begin() + static_cast<std::ptrdiff_t>(k), lefts.begin() + static_cast<std::ptrdiff_t>(k + 2));
+        k -= std::min<std::size_t>(k, 1);
+      } else {
+        ++k;
+      }
+    }
   }
 
   /// One edge takes over from the other.
@@ -237,7 +284,9 @@ class Sweep {
 
   const std::vector<Vec2d>& points_;
   std::vector<Index> next_, previous_;
-  std::vector<Index> owner_;  // of each edge that crosses the sweep line: its interval
+  std::vector<Index> left_, right_;      // ends of each edge
+  std::multimap<Index, Index> trimmed_;  // edges that begin at a vertex only because what comes before was dropped
+  std::vector<Index> owner_;             // of each edge that crosses the sweep line: its interval
   std::vector<Node> nodes_;
   std::vector<Interval> intervals_;
   std::vector<Index> free_;
@@ -247,7 +296,10 @@ class Sweep {
 
 }  // namespace
 
-std::vector<Triangle> triangulate(const FlatRings& rings) { return Sweep(rings).run(); }
+std::vector<Triangle> triangulate(const FlatRings& rings) {
+  const double scale = scale_for_predicates(rings);
+  return scale == 1 ? Sweep(rings).run() : Sweep(scaled(rings, scale)).run();
+}
 std::vector<Triangle> triangulate(const Rings& rings) { return triangulate(flat(rings)); }
 std::vector<Triangle> triangulate(const Region& region) { return triangulate(flat(region)); }
 
