@@ -17,11 +17,6 @@ double precise_turn(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
   return (abx * cdy - aby * cdx).estimate();
 }
 
-bool in_box(Segment s, Vec2d p) {
-  return std::min(s.a.x, s.b.x) <= p.x && p.x <= std::max(s.a.x, s.b.x) && std::min(s.a.y, s.b.y) <= p.y &&
-         p.y <= std::max(s.a.y, s.b.y);
-}
-
 }  // namespace
 
 Vec2d crossing_point(Segment s, Segment t) {

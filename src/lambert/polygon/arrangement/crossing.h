@@ -3,6 +3,7 @@
 
 #include "lambert/polygon/predicates.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lambert::polygon::arrangement {
@@ -11,18 +12,26 @@ namespace lambert::polygon::arrangement {
 /// are multiples of it anyway.
 class Grid {
  public:
-  explicit Grid(double quantum = 0x1p-472) : magic_(0x1.8p52 * quantum), limit_(0x1p51 * quantum) {}
+  explicit Grid(double quantum = 0x1p-472) : quantum_(quantum), magic_(0x1.8p52 * quantum), limit_(0x1p51 * quantum) {}
+
+  double quantum() const { return quantum_; }
 
   double operator()(double x) const { return std::abs(x) < limit_ ? (x + magic_) - magic_ : x; }
   Vec2d operator()(Vec2d p) const { return {(*this)(p.x), (*this)(p.y)}; }
 
  private:
-  double magic_, limit_;
+  double quantum_, magic_, limit_;
 };
 
 struct Segment {
   Vec2d a, b;
 };
+
+/// Whether p lies in the box of the segment, borders included.
+inline bool in_box(Segment s, Vec2d p) {
+  return std::min(s.a.x, s.b.x) <= p.x && p.x <= std::max(s.a.x, s.b.x) && std::min(s.a.y, s.b.y) <= p.y &&
+         p.y <= std::max(s.a.y, s.b.y);
+}
 
 /// Whether both cross in their interiors. Exact.
 inline bool segments_cross(Segment s, Segment t) {

@@ -2,7 +2,9 @@
 
 #include "lambert/polygon/arrangement/sweep.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lambert::polygon::arrangement {
 namespace {
@@ -25,13 +27,41 @@ std::vector<Piece> pieces_of(const Outline& outline) {
   return pieces;
 }
 
+/// Rounds without a grid for all points.
+constexpr int floating_rounds = 12;
+
+void snap(std::vector<Piece>& pieces, const Grid& grid) {
+  for (Piece& piece : pieces) {
+    piece.a = grid(piece.a);
+    piece.b = grid(piece.b);
+    if (compare_xy(piece.a, piece.b) > 0) {
+      std::swap(piece.a, piece.b);
+      piece.delta = -piece.delta;
+    }
+  }
+  std::erase_if(pieces, [](const Piece& piece) { return piece.a == piece.b; });
+}
+
+double largest_coordinate(const Outline& outline) {
+  double largest = 0;
+  for (const Vec2d p : outline.points) largest = std::max(largest, std::max(std::abs(p.x), std::abs(p.y)));
+  return largest;
+}
+
 }  // namespace
 
 Subdivision subdivide(const Outline& outline) {
   Subdivision result{pieces_of(outline)};
+  Grid grid = outline.grid;
   for (;; ++result.rounds) {
-    const double tolerance = result.rounds < free_rounds ? 0 : std::ldexp(1.0, result.rounds - free_rounds - 51);
-    Sweep sweep(outline, tolerance, result.pieces);
+    const double tolerance =
+        result.rounds < free_rounds ? 0 : std::min(std::ldexp(1.0, result.rounds - free_rounds - 51), 0x1p-40);
+    if (result.rounds >= floating_rounds) {
+      const double quantum = std::ldexp(largest_coordinate(outline), result.rounds - floating_rounds - 46);
+      grid = Grid(std::exp2(std::floor(std::log2(quantum))));
+      snap(result.pieces, grid);
+    }
+    Sweep sweep(outline, grid, tolerance, result.pieces);
     if (sweep.run()) {
       result.nodes = sweep.node_count();
       return result;

@@ -13,12 +13,6 @@ bool before(Vec2d a, Vec2d b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 /// On which side of its piece a point is that lies between its ends lexicographically: 1 above.
 int side(const Piece& piece, Vec2d p) { return orientation(piece.a, piece.b, p); }
 
-/// The largest coordinate.
-double size_of(Vec2d a, Vec2d b, Vec2d c) {
-  const auto of = [](Vec2d p) { return std::max(std::abs(p.x), std::abs(p.y)); };
-  return std::max(of(a), std::max(of(b), of(c)));
-}
-
 constexpr auto later = [](const auto& a, const auto& b) { return before(b.point, a.point); };
 
 }  // namespace
@@ -104,11 +98,17 @@ void Sweep::find_neighbours() {
   if (count != ending_.size()) moved_ = true;
 }
 
+/// The tolerance as a distance: relative to the largest coordinate, and no less than some quanta of the grid.
+double Sweep::reach(Vec2d a, Vec2d b, Vec2d c) const {
+  const auto size = [](Vec2d p) { return std::max(std::abs(p.x), std::abs(p.y)); };
+  return tolerance_ * std::max(std::max(size(a), 0x1p52 * grid_.quantum()), std::max(size(b), size(c)));
+}
+
 bool Sweep::touches_point(const Piece& piece) {
   if (side(piece, point_) == 0) return true;
-  if (tolerance_ == 0) return false;
-  const double twice_area = cross(piece.a, piece.b, point_), reach = tolerance_ * size_of(piece.a, piece.b, point_);
-  const bool near = std::abs(twice_area) <= reach * length(piece.b - piece.a);
+  if (tolerance_ == 0 || !in_box({piece.a, piece.b}, point_)) return false;
+  const double twice_area = cross(piece.a, piece.b, point_);
+  const bool near = std::abs(twice_area) <= reach(piece.a, piece.b, point_) * length(piece.b - piece.a);
   moved_ |= near;
   return near;
 }
@@ -201,6 +201,23 @@ void Sweep::check(std::uint32_t low, std::uint32_t high) {
   if (before(l.b, h.b) ? side(h, l.b) > 0 : side(l, h.b) < 0) cut_crossing(low, high);
 }
 
+/// The end of one segment next to q that lies in the box of the other, if one is within reach.
+Vec2d Sweep::snap_to_end(Vec2d q, Segment s, Segment t) const {
+  double nearest = reach(s.a, s.b, q);
+  Vec2d found = q;
+  const auto consider = [&](Vec2d end, Segment other) {
+    const double distance = length(end - q);
+    if (distance > nearest || end == other.a || end == other.b || !in_box(other, end)) return;
+    nearest = distance;
+    found = end;
+  };
+  consider(s.a, t);
+  consider(s.b, t);
+  consider(t.a, s);
+  consider(t.b, s);
+  return found;
+}
+
 void Sweep::cut_crossing(std::uint32_t low, std::uint32_t high) {
   const Piece l = pieces_[low], h = pieces_[high];
   moved_ = true;
@@ -208,14 +225,8 @@ void Sweep::cut_crossing(std::uint32_t low, std::uint32_t high) {
   if (!segments_cross({l.a, l.b}, {h.a, h.b})) return;
   const Vec2d* const p = outline_.points.data();
   Vec2d q = crossing_of_parts({l.a, l.b}, {h.a, h.b}, {p[l.line], p[l.line + 1]}, {p[h.line], p[h.line + 1]});
-  q = outline_.grid(q);
-  if (tolerance_ > 0) {
-    // Of the four ends these two lie between the ends of the other piece, so that cutting there leaves an order in
-    // which cuts cannot go on for ever.
-    const Vec2d a = before(l.a, h.a) ? h.a : l.a, b = before(l.b, h.b) ? l.b : h.b;
-    const double to_a = length(q - a), to_b = length(q - b), reach = tolerance_ * size_of(a, b, q);
-    if (std::min(to_a, to_b) <= reach) q = to_a <= to_b ? a : b;
-  }
+  q = grid_(q);
+  if (tolerance_ > 0) q = snap_to_end(q, {l.a, l.b}, {h.a, h.b});
   cut(low, q);
   cut(high, q);
 }
@@ -245,7 +256,8 @@ void Sweep::finish() {
     const auto part = [&](Vec2d a, Vec2d b) {
       return before(a, b) ? Piece{a, b, old.line, old.delta, {}} : Piece{b, a, old.line, -old.delta, {}};
     };
-    if (cut.point == old.a || cut.point == old.b) continue;
+    // The piece may have been cut shorter meanwhile.
+    if (cut.point == old.a || cut.point == old.b || !in_box({old.a, old.b}, cut.point)) continue;
     pieces_[cut.piece] = part(old.a, cut.point);
     pieces_.push_back(part(cut.point, old.b));
   }

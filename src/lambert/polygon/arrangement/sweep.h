@@ -12,8 +12,8 @@ namespace lambert::polygon::arrangement {
 /// needed.
 class Sweep {
  public:
-  Sweep(const Outline& outline, double tolerance, std::vector<Piece>& pieces)
-      : outline_(outline), tolerance_(tolerance), pieces_(pieces) {}
+  Sweep(const Outline& outline, const Grid& grid, double tolerance, std::vector<Piece>& pieces)
+      : outline_(outline), grid_(grid), tolerance_(tolerance), pieces_(pieces) {}
 
   bool run();
   std::uint32_t node_count() const { return nodes_; }
@@ -34,7 +34,9 @@ class Sweep {
   void collect_starting();
   void find_neighbours();
   void absorb_touching();
+  double reach(Vec2d a, Vec2d b, Vec2d c) const;
   bool touches_point(const Piece& piece);
+  Vec2d snap_to_end(Vec2d q, Segment s, Segment t) const;
   void cut_at_point(std::uint32_t piece);
   void order_starting();
   void insert_starting();
@@ -47,6 +49,7 @@ class Sweep {
   void finish();
 
   const Outline& outline_;
+  const Grid& grid_;
   double tolerance_;
   std::vector<Piece>& pieces_;
   Status status_;
