@@ -3,6 +3,7 @@
 /// floating-point arithmetic and fast robust geometric predicates", 1997). Exact while no intermediate overflows or
 /// falls below 2^-1022; needs round-to-nearest and no contraction.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -31,6 +32,12 @@ class Expansion {
   explicit Expansion(RoundedSum sum) {
     push(sum.error);
     push(sum.value);
+  }
+  Expansion(const Expansion& other) { *this = other; }
+  Expansion& operator=(const Expansion& other) {
+    size_ = other.size_;
+    std::copy_n(other.components_.begin(), size_, components_.begin());  // not the unused rest, which may be large
+    return *this;
   }
 
   std::size_t size() const { return size_; }
