@@ -91,7 +91,7 @@ TEST(EdgeHits, AreThoseOfSegmentIntersection) {
 // rows: PG-49
 TEST(EdgeTree, AnswersLikeTheLoopOverAllEdges) {
   std::mt19937_64 random(2);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 50; ++i) {
     const Rings rings = grid_rings(random, 200, 40);
     const EdgeTree tree(rings);
     for (int k = 0; k < 30; ++k) {

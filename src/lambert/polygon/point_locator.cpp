@@ -7,8 +7,8 @@
 namespace lambert::polygon {
 namespace {
 
-constexpr std::int32_t unknown = std::numeric_limits<std::int32_t>::min();
-constexpr double crossings_per_edge = 2, cells_per_edge = 2;
+constexpr double crossings_per_edge = 8, cells_per_edge = 2;
+constexpr std::uint32_t crowded = 12;
 constexpr int candidates = 8;
 
 std::uint32_t at_most(double value, std::uint32_t limit) {
@@ -17,24 +17,18 @@ std::uint32_t at_most(double value, std::uint32_t limit) {
 
 }  // namespace
 
-PointLocator::PointLocator(const Rings& rings) : box_(box_of(rings)) {
-  for (const Ring& ring : rings) {
-    for (const Vec2d p : ring) {
-      starts_.push_back(static_cast<std::uint32_t>(points_.size()));
-      points_.push_back(p);
-    }
-    if (!ring.empty()) points_.push_back(ring.front());
-  }
+PointLocator::PointLocator(const Rings& rings) : box_(box_of(rings)), edges_(rings) {
   choose_grid();
   list_edges();
   find_windings();
+  divide_crowded_cells();
 }
 
 void PointLocator::choose_grid() {
   const Vec2d size = box_.size();
-  const auto n = static_cast<double>(starts_.size());
+  const auto n = static_cast<double>(edges_.numbers.size());
   Vec2d length(0);
-  for (const std::uint32_t s : starts_) length += glm::abs(points_[s + 1] - points_[s]);
+  for (const std::uint32_t e : edges_.numbers) length += glm::abs(edges_.points[e + 1] - edges_.points[e]);
   // Coordinates computed with the size of cells are off by less than this; cells must be far larger.
   slack_ = 0x1p-48 * (glm::abs(box_.min) + glm::abs(box_.max));
   Vec2d counts(1);
@@ -58,7 +52,7 @@ std::uint32_t PointLocator::row(double y) const { return at_most((y - box_.min.y
 /// Those the edge comes near within the row. column() and row() only grow with their argument, so that all points of
 /// the edge fall between what its ends, moved apart by the slack, fall into.
 PointLocator::Range PointLocator::columns_in_row(std::uint32_t edge, std::uint32_t r) const {
-  Vec2d a = points_[edge], b = points_[edge + 1];
+  Vec2d a = edges_.points[edge], b = edges_.points[edge + 1];
   if (a.y > b.y) std::swap(a, b);
   const double low = box_.min.y + r * cell_size_.y - slack_.y, high = low + cell_size_.y + 2 * slack_.y;
   const auto x_at = [&](double y) { return a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x); };
@@ -69,8 +63,8 @@ PointLocator::Range PointLocator::columns_in_row(std::uint32_t edge, std::uint32
 void PointLocator::list_edges() {
   const std::size_t count = static_cast<std::size_t>(columns_) * rows_;
   const auto for_each_cell = [&](auto&& use) {
-    for (const std::uint32_t edge : starts_) {
-      const auto [low, high] = std::minmax(points_[edge].y, points_[edge + 1].y);
+    for (const std::uint32_t edge : edges_.numbers) {
+      const auto [low, high] = std::minmax(edges_.points[edge].y, edges_.points[edge + 1].y);
       const std::uint32_t last_row = row(high + slack_.y);
       for (std::uint32_t r = row(low - slack_.y); r <= last_row; ++r) {
         const Range columns = columns_in_row(edge, r);
@@ -79,13 +73,13 @@ void PointLocator::list_edges() {
       }
     }
   };
-  cells_.assign(count + 1, {0, 0});
-  for_each_cell([&](std::size_t cell, std::uint32_t) { ++cells_[cell].first; });
+  cells_.assign(count, {0, 0, 0});
+  for_each_cell([&](std::size_t cell, std::uint32_t) { ++cells_[cell].last; });
   std::uint32_t sum = 0;
-  for (Cell& cell : cells_) sum += cell.first, cell.first = sum;
+  for (Cell& cell : cells_) sum += cell.last, cell.first = cell.last = sum;
+  listed_.resize(sum);
   // Filled from the back of each cell, so that `first` ends where it should.
-  edges_.resize(sum);
-  for_each_cell([&](std::size_t cell, std::uint32_t edge) { edges_[--cells_[cell].first] = edge; });
+  for_each_cell([&](std::size_t cell, std::uint32_t edge) { listed_[--cells_[cell].first] = edge; });
 }
 
 /// Points of a cell, away from its sides; the first is its middle.
@@ -106,13 +100,13 @@ void PointLocator::find_windings() {
     Vec2d reference(std::nextafter(box_.min.x - slack_.x, -std::numeric_limits<double>::infinity()),
                     candidate(begin, 0).y);
     for (std::uint32_t cell = begin; cell < begin + columns_; ++cell) {
-      near.assign(edges_.begin() + cells_[known].first, edges_.begin() + cells_[cell + 1].first);
+      near.assign(listed_.begin() + cells_[known].first, listed_.begin() + cells_[cell].last);
       std::sort(near.begin(), near.end());
       near.erase(std::unique(near.begin(), near.end()), near.end());
       cells_[cell].winding = unknown;
       for (int k = 0; k < candidates && cells_[cell].winding == unknown; ++k) {
         const Vec2d p = candidate(cell, k);
-        const Winding w = winding_from(reference, winding, p, near.data(), near.data() + near.size());
+        const Winding w = edges_.winding_from(reference, winding, p, near);
         if (w.on) continue;
         cells_[cell].winding = winding = w.number;
         references_[cell] = reference = p;
@@ -122,37 +116,35 @@ void PointLocator::find_windings() {
   }
 }
 
-/// The winding number at p by the edges between it and a point that lies on no edge. An edge is crossed when its ends
-/// lie on different sides of the line to p and both points on different sides of it. An end on the line counts as one
-/// to its right: as if the line were moved a little to the left, where it meets no end.
-Winding PointLocator::winding_from(Vec2d reference, int winding, Vec2d p, const std::uint32_t* first,
-                                   const std::uint32_t* last) const {
-  for (; first != last; ++first) {
-    const Vec2d a = points_[*first], b = points_[*first + 1];
-    const int side = orientation(a, b, p);
-    if (side == 0) {
-      if (between(a, b, p)) return {0, true};
-      continue;
-    }
-    if ((orientation(reference, p, a) > 0) == (orientation(reference, p, b) > 0)) continue;
-    if (orientation(a, b, reference) != side) winding += side;
+void PointLocator::divide_crowded_cells() {
+  for (std::uint32_t i = 0; i < cells_.size(); ++i) {
+    Cell& cell = cells_[i];
+    if (cell.last - cell.first < crowded || cell.winding == unknown) continue;
+    const Vec2d low = box_.min + Vec2d(i % columns_, i / columns_) * cell_size_;
+    const auto division =
+        strips_.divide(edges_, {low, low + cell_size_}, slack_.x + slack_.y,
+                       {listed_.data() + cell.first, listed_.data() + cell.last}, references_[i], cell.winding);
+    if (division) cell = {*division, 0, divided};
   }
-  return {winding, false};
 }
 
 Winding PointLocator::winding_of_all(Vec2d p) const {
   const Vec2d outside(std::nextafter(box_.min.x, -std::numeric_limits<double>::infinity()), p.y);
-  return winding_from(outside, 0, p, starts_.data(), starts_.data() + starts_.size());
+  return edges_.winding_from(outside, 0, p, edges_.numbers);
 }
 
 Winding PointLocator::winding(Vec2d p) const {
   if (!box_.contains(p)) return {};
-  const std::size_t cell = static_cast<std::size_t>(row(p.y)) * columns_ + column(p.x);
-  const Cell& c = cells_[cell];
-  const std::uint32_t last = cells_[cell + 1].first;
-  if (c.winding == unknown) return winding_of_all(p);
-  if (c.first == last) return {c.winding, false};
-  return winding_from(references_[cell], c.winding, p, edges_.data() + c.first, edges_.data() + last);
+  const std::size_t i = static_cast<std::size_t>(row(p.y)) * columns_ + column(p.x);
+  const Cell& cell = cells_[i];
+  if (cell.winding == divided) {
+    const Winding w = strips_.winding(edges_, cell.first, p);
+    return w.number == unknown ? winding_of_all(p) : w;
+  }
+  if (cell.winding == unknown) return winding_of_all(p);
+  if (cell.first == cell.last) return {cell.winding, false};
+  return edges_.winding_from(references_[i], cell.winding, p,
+                             {listed_.data() + cell.first, listed_.data() + cell.last});
 }
 
 }  // namespace lambert::polygon
