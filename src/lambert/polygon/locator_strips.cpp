@@ -53,68 +53,53 @@ std::optional<std::uint32_t> LocatorStrips::divide(const EdgeList& edges, const 
   const double count = std::floor(std::min({n, 2 * n / spans, half / (64 * slack)}));
   if (!(count >= 4)) return std::nullopt;
   const double per_length = count / (2 * half);
-  const Division division{centre, across * per_length, 0.5 * count, count - 1,
+  const Vec2d corner(std::copysign(0.5 * cell.size().x, across.x), std::copysign(0.5 * cell.size().y, across.y));
+  const Division division{centre, across * per_length, corner / (0.5 * count), count,
                           static_cast<std::uint32_t>(strips_.size() - 1)};
   for (Places& p : places) p.first *= per_length, p.second *= per_length;
-  list_edges(edges, division, inside, places, static_cast<std::uint32_t>(count));
-  find_windings(edges, division, cell, reference, winding, static_cast<std::uint32_t>(count));
+  list_edges(division, inside, places);
+  find_windings(edges, division, reference, winding);
   divisions_.push_back(division);
   return static_cast<std::uint32_t>(divisions_.size() - 1);
 }
 
-void LocatorStrips::list_edges(const EdgeList&, const Division& division, std::span<const std::uint32_t> inside,
-                               const std::vector<Places>& places, std::uint32_t count) {
+void LocatorStrips::list_edges(const Division& division, std::span<const std::uint32_t> inside,
+                               const std::vector<Places>& places) {
+  const auto count = static_cast<std::size_t>(division.count);
   strips_.resize(division.first + count + 1);
   std::vector<std::uint32_t> sizes(count + 1, 0);
   const auto for_each = [&](auto&& use) {
     for (std::size_t i = 0; i < inside.size(); ++i)
-      for (std::uint32_t s = division.number_at(places[i].first); s <= division.number_at(places[i].second); ++s)
+      for (std::uint32_t s = division.strip_at(places[i].first); s <= division.strip_at(places[i].second); ++s)
         use(s, inside[i]);
   };
   for_each([&](std::uint32_t s, std::uint32_t) { ++sizes[s]; });
   auto end = static_cast<std::uint32_t>(edges_.size());
-  for (std::uint32_t s = 0; s <= count; ++s) end += sizes[s], strips_[division.first + s].first = end;
+  for (std::size_t s = 0; s <= count; ++s) end += sizes[s], strips_[division.first + s].first = end;
   edges_.resize(end);
   // Filled from the back of each strip, so that `first` ends where it should.
   for_each([&](std::uint32_t s, std::uint32_t edge) { edges_[--strips_[division.first + s].first] = edge; });
 }
 
 /// From the strip of the point that is known, to both sides.
-void LocatorStrips::find_windings(const EdgeList& edges, const Division& division, const Box2& cell, Vec2d reference,
-                                  std::int32_t winding, std::uint32_t count) {
-  const Vec2d normal = normalize(division.across), along(normal.y, -normal.x);
-  const double width = 1 / length(division.across);
-  std::vector<std::uint32_t> near;
-  // Finds a point of strip s on no edge, and its winding number by the one of strip `from`.
-  const auto find = [&](std::uint32_t s, std::uint32_t from, Vec2d known, std::int32_t known_winding) {
-    Strip& strip = strips_[division.first + s];
-    const auto [low, high] = std::minmax(s, from);
-    near.assign(edges_.begin() + strips_[division.first + low].first,
-                edges_.begin() + strips_[division.first + high + 1].first);
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
-    strip.winding = unknown;
-    for (const double part : {0.5, 0.37, 0.68}) {
-      const Vec2d middle = division.centre + (s + part - division.offset) * width * normal;
-      const double far = length(cell.size());
-      const auto [t_low, t_high] = clip(middle, along, cell, -far, far);
-      const Vec2d p = middle + ((1 - part) * t_low + part * t_high) * along;
-      const Winding w = edges.winding_from(known, known_winding, p, near);
-      if (w.on) continue;
-      strip.reference = p, strip.winding = w.number;
-      return true;
-    }
-    return false;
-  };
+void LocatorStrips::find_windings(const EdgeList& edges, const Division& division, Vec2d reference,
+                                  std::int32_t winding) {
+  const auto count = static_cast<std::uint32_t>(division.count);
   const std::uint32_t start = division.strip(reference);
+  std::vector<std::uint32_t> near;
   for (const int step : {1, -1}) {
     Vec2d known = reference;
     std::int32_t known_winding = winding;
     std::uint32_t from = start;
     for (std::uint32_t s = start; s < count; s += static_cast<std::uint32_t>(step)) {
-      if (!find(s, from, known, known_winding)) continue;
-      known = strips_[division.first + s].reference, known_winding = strips_[division.first + s].winding;
-      from = s;
+      const std::uint32_t low = division.first + std::min(s, from), high = division.first + std::max(s, from);
+      near.assign(edges_.begin() + strips_[low].first, edges_.begin() + strips_[high + 1].first);
+      std::sort(near.begin(), near.end());
+      near.erase(std::unique(near.begin(), near.end()), near.end());
+      const Winding w = edges.winding_from(known, known_winding, division.reference(s), near);
+      strips_[division.first + s].winding = w.on ? unknown : w.number;
+      if (w.on) continue;
+      known = division.reference(s), known_winding = w.number, from = s;
     }
   }
 }

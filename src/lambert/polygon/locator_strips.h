@@ -11,7 +11,7 @@ namespace lambert::polygon {
 /// so that edges side by side, like needles, fall into few strips each.
 class LocatorStrips {
  public:
-  /// A winding number that could not be found: every point tried lies on an edge.
+  /// A winding number that could not be found: the point meant to have it lies on an edge.
   static constexpr std::int32_t unknown = std::numeric_limits<std::int32_t>::min();
 
   /// Divides the cell, `cell` with everything within `slack` of it, given all edges that come into it, each once, and a
@@ -23,37 +23,39 @@ class LocatorStrips {
   /// At a point of the cell that divide() returned the number of; the number may be `unknown`.
   Winding winding(const EdgeList& edges, std::uint32_t divided, Vec2d p) const {
     const Division& division = divisions_[divided];
-    const std::uint32_t s = division.first + division.strip(p);
-    const Strip& strip = strips_[s];
+    const std::uint32_t number = division.strip(p), s = division.first + number;
+    const Strip strip = strips_[s];
     if (strip.winding == unknown) return {unknown, false};
-    return edges.winding_from(strip.reference, strip.winding, p,
+    return edges.winding_from(division.reference(number), strip.winding, p,
                               {edges_.data() + strip.first, edges_.data() + strips_[s + 1].first});
   }
 
  private:
   struct Division {
-    Vec2d centre, across;  ///< `across` has the length of one strip to the -1
-    double offset, last;   ///< a strip's number is the part of p across, from the offset on, at most `last`
-    std::uint32_t first;   ///< strip
-    std::uint32_t strip(Vec2d p) const { return number_at(dot(p - centre, across)); }
-    std::uint32_t number_at(double place) const {
-      const double number = place + offset;
-      return static_cast<std::uint32_t>(number > 0 ? (number < last ? number : last) : 0.0);
+    Vec2d centre, across;  ///< `across` times a way is its part across the strips, in strips
+    Vec2d step;            ///< along the cell's diagonal from strip to strip
+    double count;
+    std::uint32_t first;  ///< strip
+
+    std::uint32_t strip(Vec2d p) const { return strip_at(dot(p - centre, across)); }
+    std::uint32_t strip_at(double place) const {
+      const double number = place + 0.5 * count;
+      return static_cast<std::uint32_t>(number > 0 ? (number < count - 1 ? number : count - 1) : 0.0);
     }
+    /// Not in the middle, where an edge is likelier to be.
+    Vec2d reference(std::uint32_t strip) const { return centre + (strip + 0.5137 - 0.5 * count) * step; }
   };
   struct Strip {
-    Vec2d reference;
     std::uint32_t first;  ///< of its edges in edges_; they end where those of the next begin
     std::int32_t winding;
   };
 
-  void list_edges(const EdgeList& edges, const Division& division, std::span<const std::uint32_t> inside,
-                  const std::vector<std::pair<double, double>>& places, std::uint32_t count);
-  void find_windings(const EdgeList& edges, const Division& division, const Box2& cell, Vec2d reference,
-                     std::int32_t winding, std::uint32_t count);
+  void list_edges(const Division& division, std::span<const std::uint32_t> inside,
+                  const std::vector<std::pair<double, double>>& places);
+  void find_windings(const EdgeList& edges, const Division& division, Vec2d reference, std::int32_t winding);
 
   std::vector<Division> divisions_;
-  std::vector<Strip> strips_{Strip{{0, 0}, 0, 0}};  ///< and one more
+  std::vector<Strip> strips_{Strip{0, 0}};  ///< and one more
   std::vector<std::uint32_t> edges_;
 };
 

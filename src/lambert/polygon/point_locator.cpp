@@ -7,12 +7,12 @@
 namespace lambert::polygon {
 namespace {
 
-constexpr double crossings_per_edge = 8, cells_per_edge = 2;
+constexpr double crossings_per_edge = 4, cells_per_edge = 2;
 constexpr std::uint32_t crowded = 12;
 constexpr int candidates = 8;
 
 std::uint32_t at_most(double value, std::uint32_t limit) {
-  return static_cast<std::uint32_t>(std::clamp(value, 0.0, static_cast<double>(limit)));
+  return static_cast<std::uint32_t>(value > 0 ? std::min(value, static_cast<double>(limit)) : 0.0);
 }
 
 }  // namespace
