@@ -2,6 +2,7 @@
 
 #include "lambert/polygon/line_order.h"
 #include "lambert/polygon/predicates.h"
+#include "lambert/polygon/scale.h"
 
 #include <algorithm>
 #include <array>
@@ -15,10 +16,10 @@ struct PlacedHit {
   std::size_t ring, edge;
 };
 
-/// Judges single edges and keeps what they are met at.
+/// Judges single edges, which are given `scale` times their size, as are a and b.
 class Hits {
  public:
-  Hits(Vec2d a, Vec2d b, Reach reach) : a_(a), b_(b), reach_(reach), order_(a, b) {}
+  Hits(Vec2d a, Vec2d b, Reach reach, double scale) : a_(a), b_(b), reach_(reach), scale_(scale), order_(a, b) {}
 
   std::optional<PlacedHit> of_edge(Vec2d c, Vec2d d, std::size_t ring, std::size_t edge) const {
     const int from = orientation(a_, b_, c), to = orientation(a_, b_, d);
@@ -59,12 +60,18 @@ class Hits {
   }
 
   EdgeHit finish(const PlacedHit& p) const {
-    return {p.ring, p.edge, order_.parameter(p.from), order_.parameter(p.to), order_.point(p.from), order_.point(p.to)};
+    return {p.ring,
+            p.edge,
+            order_.parameter(p.from),
+            order_.parameter(p.to),
+            order_.point(p.from) / scale_,
+            order_.point(p.to) / scale_};
   }
 
  private:
   Vec2d a_, b_;
   Reach reach_;
+  double scale_;
   LineOrder order_;
 };
 
@@ -93,26 +100,31 @@ bool misses(const Box2& box, Vec2d a, Vec2d b, Reach reach) {
 
 std::vector<EdgeHit> edge_hits(const Rings& rings, Vec2d a, Vec2d b, Reach reach) {
   if (a == b) return {};
-  const Hits hits(a, b, reach);
+  const double scale = scale_to_safe(rings, a, b);
+  const Hits hits(scale * a, scale * b, reach, scale);
   std::vector<PlacedHit> found;
   for_each_edge(rings, [&](Vec2d c, Vec2d d, std::size_t r, std::size_t i) {
-    if (const auto hit = hits.of_edge(c, d, r, i)) found.push_back(*hit);
+    if (const auto hit = hits.of_edge(scale * c, scale * d, r, i)) found.push_back(*hit);
   });
   return hits.sorted(std::move(found));
 }
 
 std::optional<EdgeHit> first_edge_hit(const Rings& rings, Vec2d a, Vec2d b, Reach reach) {
   if (a == b) return std::nullopt;
-  const Hits hits(a, b, reach);
+  const double scale = scale_to_safe(rings, a, b);
+  const Hits hits(scale * a, scale * b, reach, scale);
   std::optional<PlacedHit> first;
   for_each_edge(rings, [&](Vec2d c, Vec2d d, std::size_t r, std::size_t i) {
-    if (const auto hit = hits.of_edge(c, d, r, i); hit && (!first || hits.before(*hit, *first))) first = hit;
+    if (const auto hit = hits.of_edge(scale * c, scale * d, r, i); hit && (!first || hits.before(*hit, *first)))
+      first = hit;
   });
   return first ? std::optional(hits.finish(*first)) : std::nullopt;
 }
 
-EdgeTree::EdgeTree(const Rings& rings) {
-  for_each_edge(rings, [&](Vec2d c, Vec2d d, std::size_t r, std::size_t i) { edges_.push_back({c, d, r, i}); });
+EdgeTree::EdgeTree(const Rings& rings) : scale_(scale_to_safe(extent_of(box_of(rings)))) {
+  for_each_edge(rings, [&](Vec2d c, Vec2d d, std::size_t r, std::size_t i) {
+    edges_.push_back({scale_ * c, scale_ * d, r, i});
+  });
   if (!edges_.empty()) build(0, static_cast<std::uint32_t>(edges_.size()));
 }
 
@@ -154,7 +166,8 @@ void EdgeTree::visit(Vec2d a, Vec2d b, Reach reach, Use use) const {
 }
 
 std::vector<EdgeHit> EdgeTree::edge_hits(Vec2d a, Vec2d b, Reach reach) const {
-  const Hits hits(a, b, reach);
+  a *= scale_, b *= scale_;
+  const Hits hits(a, b, reach, scale_);
   std::vector<PlacedHit> found;
   visit(a, b, reach, [&](const Edge& e) {
     if (const auto hit = hits.of_edge(e.from, e.to, e.ring, e.index)) found.push_back(*hit);
@@ -163,7 +176,8 @@ std::vector<EdgeHit> EdgeTree::edge_hits(Vec2d a, Vec2d b, Reach reach) const {
 }
 
 std::optional<EdgeHit> EdgeTree::first_edge_hit(Vec2d a, Vec2d b, Reach reach) const {
-  const Hits hits(a, b, reach);
+  a *= scale_, b *= scale_;
+  const Hits hits(a, b, reach, scale_);
   std::optional<PlacedHit> first;
   visit(a, b, reach, [&](const Edge& e) {
     if (const auto hit = hits.of_edge(e.from, e.to, e.ring, e.index); hit && (!first || hits.before(*hit, *first)))

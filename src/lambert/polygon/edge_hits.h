@@ -33,7 +33,8 @@ std::vector<EdgeHit> edge_hits(const Rings& rings, Vec2d a, Vec2d b, Reach reach
 /// The first of edge_hits(); that of the lowest ring and edge when several are. O(n).
 std::optional<EdgeHit> first_edge_hit(const Rings& rings, Vec2d a, Vec2d b, Reach reach = Reach::ray);
 
-/// The same answers by a hierarchy of boxes over the edges, for polygons of many edges. Building takes O(n log n).
+/// The same answers by a hierarchy of boxes over the edges, for polygons of many edges. Building takes O(n log n). a
+/// and b must be no more than 2^200 times as far from the origin as the polygon.
 class EdgeTree {
  public:
   explicit EdgeTree(const Rings& rings);
@@ -54,6 +55,7 @@ class EdgeTree {
   template <class Use>
   void visit(Vec2d a, Vec2d b, Reach reach, Use use) const;
 
+  double scale_;  ///< what edges_ and nodes_ were multiplied by
   std::vector<Edge> edges_;
   std::vector<Node> nodes_;
 };

@@ -94,8 +94,12 @@ Expansion<n + m> operator-(const Expansion<n>& a, const Expansion<m>& b) {
 template <std::size_t n>
 Expansion<2 * n> operator*(const Expansion<n>& a, double factor) {
   Expansion<2 * n> scaled;
-  double carry = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
+  if (a.size() == 0) return scaled;
+  // The first component apart, so that there are at most two a component, NaN or not.
+  const RoundedSum first = two_product(a[0], factor);
+  scaled.push(first.error);
+  double carry = first.value;
+  for (std::size_t i = 1; i < a.size(); ++i) {
     const RoundedSum product = two_product(a[i], factor);
     const RoundedSum low = two_sum(carry, product.error);
     scaled.push(low.error);

@@ -28,7 +28,7 @@ class Collector : public SweepVisitor {
         // Two of one line were found together already where the later one began.
         if (i >= begun_here && prepared_.rank[members_[i]] == prepared_.rank[members_[k]]) continue;
         SegmentMeeting& meeting = add(members_[i], members_[k]);
-        if (meeting.kind == SegmentCase::crossing) meeting.from = meeting.to = p.point;
+        if (meeting.kind == SegmentCase::crossing) meeting.from = meeting.to = p.point / prepared_.scale;
       }
     return true;
   }

@@ -3,6 +3,7 @@
 #include "lambert/polygon/line_order.h"
 #include "lambert/polygon/point_in_polygon.h"
 #include "lambert/polygon/predicates.h"
+#include "lambert/polygon/scale.h"
 
 #include <algorithm>
 
@@ -136,7 +137,9 @@ class Cut {
       const Vec2d p = order_.point(from);
       pieces.push_back({t, t, p, p, inside_left, inside_right});
     }
-    pieces.back().t_to = order_.parameter(to), pieces.back().to = order_.point(to);
+    // Rounding may reverse what is shorter than itself.
+    pieces.back().t_to = std::max(pieces.back().t_from, order_.parameter(to));
+    pieces.back().to = order_.point(to);
   }
 
   Vec2d a_, b_;
@@ -150,6 +153,13 @@ class Cut {
 
 LineThrough line_through(const Rings& rings, Vec2d a, Vec2d b, FillRule rule) {
   if (a == b) return {};
+  if (const double scale = scale_to_safe(rings, a, b); scale != 1) {
+    LineThrough through = line_through(scaled(rings, scale), scale * a, scale * b, rule);
+    for (auto* pieces : {&through.interior, &through.on_edges})
+      for (LinePiece& p : *pieces) p.from /= scale, p.to /= scale;
+    for (LineEvent& e : through.events) e.point /= scale;
+    return through;
+  }
   Cut cut(a, b);
   for (std::size_t i = 0; i < rings.size(); ++i) cut.add(rings[i], i);
   return cut.result(rule);

@@ -9,7 +9,7 @@
 
 namespace lambert::polygon {
 
-/// A part of the line from a to b that has a length: a at t = 0, b at t = 1.
+/// A part of the line from a to b that has a length, if only one that rounding hides: a at t = 0, b at t = 1.
 struct LinePiece {
   double t_from, t_to;
   Vec2d from, to;

@@ -22,4 +22,17 @@ inline double scale_to_safe(double extent) {
   return std::ldexp(1, std::clamp(-std::ilogb(extent), -1020, 1020));
 }
 
+/// scale_to_safe() for rings together with two points.
+inline double scale_to_safe(const Rings& rings, Vec2d a, Vec2d b) {
+  Box2 box = box_of(rings);
+  box.add(a), box.add(b);
+  return scale_to_safe(extent_of(box));
+}
+
+inline Rings scaled(Rings rings, double scale) {
+  for (Ring& ring : rings)
+    for (Vec2d& p : ring) p *= scale;
+  return rings;
+}
+
 }  // namespace lambert::polygon

@@ -26,7 +26,7 @@ Simplicity witness(Kind kind, std::size_t i, std::size_t k, Vec2d point) {
 /// Stops where an edge has a point of another inside; remembers a vertex that is visited twice.
 class SelfMeeting : public SweepVisitor {
  public:
-  explicit SelfMeeting(const std::vector<Segment>& edges) : edges_(edges) {}
+  SelfMeeting(const std::vector<Segment>& edges, double scale) : edges_(edges), scale_(scale) {}
 
   bool crossing(std::uint32_t s, std::uint32_t t) override {
     found_ = witness(Kind::edges_cross, s, t, intersect(edges_[s], edges_[t]).from);
@@ -39,7 +39,7 @@ class SelfMeeting : public SweepVisitor {
                          : !p.starting.empty() ? p.starting[0]
                          : !p.points.empty()   ? p.points[0]
                                                : p.through.back();
-      found_ = witness(Kind::edges_cross, p.through[0], other, p.point);
+      found_ = witness(Kind::edges_cross, p.through[0], other, p.point / scale_);
       return false;
     }
     // Each vertex ends one edge and starts another; an edge without length has two vertices here.
@@ -54,15 +54,16 @@ class SelfMeeting : public SweepVisitor {
     std::vector<std::size_t> vertices;
     for (const auto& part : {p.ending, p.starting, p.points})
       for (const std::size_t e : part) {
-        if (edges_[e].a == p.point) vertices.push_back(e);
-        if (edges_[e].b == p.point) vertices.push_back(next_index(e, edges_.size()));
+        if (scale_ * edges_[e].a == p.point) vertices.push_back(e);
+        if (scale_ * edges_[e].b == p.point) vertices.push_back(next_index(e, edges_.size()));
       }
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    return witness(Kind::vertex_twice, vertices[0], vertices[std::min<std::size_t>(1, vertices.size() - 1)], p.point);
+    return witness(Kind::vertex_twice, vertices[0], vertices[1], edges_[vertices[0]].a);
   }
 
   const std::vector<Segment>& edges_;
+  double scale_;
   std::optional<Simplicity> found_;
 };
 
@@ -90,7 +91,7 @@ Simplicity check_simple(const Ring& ring) {
     const Kind kind = overlap->successive ? Kind::spike : Kind::edges_coincide;
     return witness(kind, overlap->first, overlap->second, overlap->from);
   }
-  SelfMeeting visitor(edges);
+  SelfMeeting visitor(edges, prepared.scale);
   sweep(prepared, visitor);
   return visitor.result();
 }

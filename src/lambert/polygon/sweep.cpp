@@ -168,7 +168,7 @@ bool Sweep::visit_point(Index event) {
   for (Node n = first; n != above; n = status_.next(n))
     if (right_event_[status_[n]] != event) through_.push_back(status_[n]);
 
-  if (!visitor_.at_point({p / segments_.scale, ending_, through_, starting_, points_})) return false;
+  if (!visitor_.at_point({p, ending_, through_, starting_, points_})) return false;
 
   // Beyond p they lie in the order of their slopes. Nodes are used again where there are any.
   group_ = through_;

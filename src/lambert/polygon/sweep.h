@@ -36,7 +36,7 @@ SweepSegments prepare_sweep(std::span<const Segment> segments);
 
 /// What meets at an end of a segment. The four lists have no segment in common.
 struct SweepPoint {
-  Vec2d point;
+  Vec2d point;                                               ///< `scale` times as large as in the segments given
   std::span<const std::uint32_t> ending, through, starting;  ///< through: it is inside of these
   std::span<const std::uint32_t> points;                     ///< segments that are this point
 };
