@@ -3,6 +3,7 @@
 /// floating-point arithmetic and fast robust geometric predicates", 1997). Exact while no intermediate overflows or
 /// falls below 2^-1022; needs round-to-nearest and no contraction.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -31,6 +32,12 @@ class Expansion {
   explicit Expansion(RoundedSum sum) {
     push(sum.error);
     push(sum.value);
+  }
+  Expansion(const Expansion& other) { *this = other; }
+  Expansion& operator=(const Expansion& other) {
+    size_ = other.size_;
+    std::copy_n(other.components_.begin(), size_, components_.begin());  // not the unused rest, which may be large
+    return *this;
   }
 
   std::size_t size() const { return size_; }
@@ -87,8 +94,12 @@ Expansion<n + m> operator-(const Expansion<n>& a, const Expansion<m>& b) {
 template <std::size_t n>
 Expansion<2 * n> operator*(const Expansion<n>& a, double factor) {
   Expansion<2 * n> scaled;
-  double carry = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
+  if (a.size() == 0) return scaled;
+  // The first component apart, so that there are at most two a component, NaN or not.
+  const RoundedSum first = two_product(a[0], factor);
+  scaled.push(first.error);
+  double carry = first.value;
+  for (std::size_t i = 1; i < a.size(); ++i) {
     const RoundedSum product = two_product(a[i], factor);
     if (i == 0) {
       scaled.push(product.error);
