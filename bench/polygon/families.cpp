@@ -42,9 +42,7 @@ Ring blob(Vec2d centre, double phase, std::size_t vertices) {
   });
 }
 
-Pair blobs(std::size_t edges) {
-  return {{blob({0, 0}, 0, edges / 2)}, {blob({0.2, 0.1}, 1, edges / 2)}};
-}
+Pair blobs(std::size_t edges) { return {{blob({0, 0}, 0, edges / 2)}, {blob({0.2, 0.1}, 1, edges / 2)}}; }
 
 /// A spine at y = 0 and teeth up to y = 1; `flipped` hangs from y = 1.2 instead.
 Ring comb(std::size_t teeth, double shift, bool flipped, Random& random) {

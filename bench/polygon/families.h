@@ -20,8 +20,8 @@ struct Family {
   Pair (*make)(std::size_t edges);
 };
 
-/// stars: radii at random in [0.5, 1]; blobs: three sines; combs: teeth that overlap pairwise; squares: two jittered grids
-/// of squares; coast: an outline of fractal roughness.
+/// stars: radii at random in [0.5, 1]; blobs: three sines; combs: teeth that overlap pairwise; squares: two jittered
+/// grids of squares; coast: an outline of fractal roughness.
 std::vector<Family> families();
 
 std::size_t edge_count(const polygon::Rings& rings);

@@ -1,5 +1,5 @@
-#include "stopwatch.h"
 #include "peers.h"
+#include "stopwatch.h"
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/multi_polygon.hpp>
@@ -47,11 +47,9 @@ class BoostOperands final : public Operands {
 }  // namespace
 
 Peer boost_peer() {
-  return {"boost",
-          [](const polygon::Rings& subject, const polygon::Rings& clip) -> std::unique_ptr<Operands> {
+  return {"boost", [](const polygon::Rings& subject, const polygon::Rings& clip) -> std::unique_ptr<Operands> {
             return std::make_unique<BoostOperands>(subject, clip);
-          },
-          200'000};
+          }};
 }
 
 }  // namespace lambert::bench

@@ -1,5 +1,5 @@
-#include "stopwatch.h"
 #include "peers.h"
+#include "stopwatch.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_set_2.h>
@@ -63,11 +63,9 @@ class CgalOperands final : public Operands {
 }  // namespace
 
 Peer cgal_peer() {
-  return {"cgal",
-          [](const polygon::Rings& subject, const polygon::Rings& clip) -> std::unique_ptr<Operands> {
+  return {"cgal", [](const polygon::Rings& subject, const polygon::Rings& clip) -> std::unique_ptr<Operands> {
             return std::make_unique<CgalOperands>(subject, clip);
-          },
-          20'000};
+          }};
 }
 
 }  // namespace lambert::bench

@@ -1,5 +1,5 @@
-#include "stopwatch.h"
 #include "peers.h"
+#include "stopwatch.h"
 
 #include <cmath>
 #include <memory>
@@ -59,11 +59,9 @@ class ClipperOperands final : public Operands {
 }  // namespace
 
 Peer clipper_peer() {
-  return {"clipper",
-          [](const polygon::Rings& subject, const polygon::Rings& clip) -> std::unique_ptr<Operands> {
+  return {"clipper", [](const polygon::Rings& subject, const polygon::Rings& clip) -> std::unique_ptr<Operands> {
             return std::make_unique<ClipperOperands>(subject, clip);
-          },
-          200'000};
+          }};
 }
 
 }  // namespace lambert::bench

@@ -3,6 +3,7 @@
 
 #include "lambert/polygon/boolean.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,6 @@ class Operands {
 struct Peer {
   std::string name;
   std::unique_ptr<Operands> (*prepare)(const polygon::Rings& subject, const polygon::Rings& clip);
-  /// Edges of both operands beyond which a run would take minutes.
-  std::size_t largest;
 };
 
 Peer lambert_peer();

@@ -1,6 +1,7 @@
 #include "lambert/polygon/boolean.h"
 
 #include "lambert/polygon/arrangement/boundary.h"
+#include "lambert/polygon/arrangement/network.h"
 #include "lambert/polygon/arrangement/subdivision.h"
 #include "lambert/polygon/predicates.h"
 
@@ -44,7 +45,10 @@ Regions select(const Subdivision& subdivision, const Selection& selection) {
 
 Regions run(const Rings& subject, const Rings& clip, const Selection& selection) {
   const Outline outline = outline_of(subject, clip);
-  Regions regions = select(subdivide(outline), selection);
+  if (outline.points.empty()) return {};
+  const BoxTree tree(outline);
+  const auto marks = find_marks(outline, tree);
+  Regions regions = marks ? Network(outline, tree, *marks).select(selection) : select(subdivide(outline), selection);
   unscale(outline, regions);
   return regions;
 }

@@ -12,6 +12,13 @@ Difference difference(double a, double b) { return Difference(two_sum(a, -b)); }
 }  // namespace
 
 int exact::orientation(Vec2d a, Vec2d b, Vec2d c) {
+  const RoundedSum ax = two_sum(a.x, -c.x), by = two_sum(b.y, -c.y), ay = two_sum(a.y, -c.y), bx = two_sum(b.x, -c.x);
+  if (ax.error == 0 && by.error == 0 && ay.error == 0 && bx.error == 0) {
+    // Rounding keeps the order of the products, so their errors count only where the rounded ones are equal.
+    const RoundedSum one = two_product(ax.value, by.value), other = two_product(ay.value, bx.value);
+    if (one.value != other.value) return one.value > other.value ? 1 : -1;
+    return one.error > other.error ? 1 : (one.error < other.error ? -1 : 0);
+  }
   const auto left = difference(a.x, c.x) * difference(b.y, c.y);
   const auto right = difference(a.y, c.y) * difference(b.x, c.x);
   return (left - right).sign();

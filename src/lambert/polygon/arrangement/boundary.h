@@ -1,6 +1,7 @@
 #pragma once
 /// From the edges that bound a set to its regions.
 
+#include "lambert/polygon/arrangement/index.h"
 #include "lambert/polygon/ring.h"
 
 #include <cstdint>

@@ -1,12 +1,12 @@
 #pragma once
 /// The pieces that a sweep line meets, from below to above.
 
+#include "lambert/polygon/arrangement/index.h"
+
 #include <cstdint>
 #include <vector>
 
 namespace lambert::polygon::arrangement {
-
-constexpr std::uint32_t none = 0xffffffff;
 
 /// A treap over items, threaded into a list: neighbours in O(1), insertion above a known item and removal in O(1)
 /// expected rotations, search in O(log n) expected. Deterministic: priorities come from a fixed sequence.

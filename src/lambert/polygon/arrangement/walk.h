@@ -2,7 +2,6 @@
 /// Closed walks along a boundary, with the set on the left.
 
 #include "lambert/polygon/arrangement/boundary.h"
-#include "lambert/polygon/arrangement/status.h"
 
 namespace lambert::polygon::arrangement {
 

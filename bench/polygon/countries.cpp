@@ -1,0 +1,65 @@
+#include "families.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace lambert::bench {
+namespace {
+
+using nlohmann::json;
+using polygon::Ring;
+using polygon::Rings;
+
+/// TopoJSON: arcs as differences of integers, and polygons as lists of arcs; ~i is arc i backwards.
+class Topology {
+ public:
+  explicit Topology(const json& file) {
+    const json &scale = file.at("transform").at("scale"), &shift = file.at("transform").at("translate");
+    for (const json& arc : file.at("arcs")) {
+      Ring& points = arcs_.emplace_back();
+      double x = 0, y = 0;
+      for (const json& step : arc) {
+        x += step.at(0).get<double>();
+        y += step.at(1).get<double>();
+        points.emplace_back((x * scale[0].get<double>() + shift[0].get<double>()) / 180,
+                            (y * scale[1].get<double>() + shift[1].get<double>()) / 180);
+      }
+    }
+  }
+
+  Ring ring(const json& arcs) const {
+    Ring ring;
+    for (const json& index : arcs) {
+      const auto i = index.get<std::int64_t>();
+      Ring points = arcs_.at(static_cast<std::size_t>(i < 0 ? ~i : i));
+      if (i < 0) points = Ring(points.rbegin(), points.rend());
+      ring.insert(ring.end(), points.begin(), points.end() - 1);  // the last point is the next arc's first
+    }
+    return ring;
+  }
+
+ private:
+  std::vector<Ring> arcs_;
+};
+
+}  // namespace
+
+std::vector<Rings> countries(const std::string& file) {
+  std::vector<Rings> result;
+  std::ifstream stream(file);
+  if (!stream) return result;
+  const json root = json::parse(stream);
+  const Topology topology(root);
+  for (const json& geometry : root.at("objects").at("countries").at("geometries")) {
+    Rings& rings = result.emplace_back();
+    const json& arcs = geometry.at("arcs");
+    if (geometry.at("type") == "Polygon") {
+      rings.push_back(topology.ring(arcs.at(0)));
+    } else {
+      for (const json& polygon : arcs) rings.push_back(topology.ring(polygon.at(0)));
+    }
+  }
+  return result;
+}
+
+}  // namespace lambert::bench
