@@ -1,7 +1,8 @@
 """cmake --install, then a project outside that finds the package, links it and renders."""
+import re
 import subprocess
 
-from command_line import BUILD, CommandLineTest, main
+from command_line import BUILD, SOURCE, CommandLineTest, main
 
 PROJECT = """
 cmake_minimum_required(VERSION 3.25)
@@ -40,6 +41,19 @@ class Package(CommandLineTest):
         self.run_quietly("cmake", "-S", ".", "-B", "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}")
         self.run_quietly("cmake", "--build", "build")
         self.assertEqual(self.run_quietly("build/user"), "256 samples\n")
+        self.the_guides_program_builds(prefix)
+
+    def the_guides_program_builds(self, prefix):
+        guide = (SOURCE / "docs" / "guide" / "library.md").read_text()
+        folder = self.folder / "turntable"
+        folder.mkdir()
+        (folder / "CMakeLists.txt").write_text(re.search(r"```cmake\n(.*?)```", guide, re.DOTALL)[1])
+        (folder / "turntable.cpp").write_text(re.search(r"```cpp\n(.*?)```", guide, re.DOTALL)[1])
+        self.run_quietly("cmake", "-S", folder, "-B", folder / "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}")
+        self.run_quietly("cmake", "--build", folder / "build")
+        done = subprocess.run([folder / "build" / "turntable", "absent.glb"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("absent.glb", done.stderr)
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ struct Frame {
     const float squared = dot(projected, projected);
     if (!(squared > 1e-6f * dot(tangent, tangent))) return Frame(normal);
     Frame f;
-    f.n = normal, f.s = projected / std::sqrt(squared);
+    f.n = normal, f.s = projected * (1 / std::sqrt(squared));
     f.s -= dot(f.s, normal) * normal;  // again: what is left of a nearly parallel tangent is mostly rounding
     f.t = cross(normal, f.s);
     return f;

@@ -1,9 +1,9 @@
 #pragma once
 #include "lambert/base/vec.h"
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 namespace lambert {
@@ -33,14 +33,9 @@ struct RayCone {
 inline Vec3 offset_ray_origin(Vec3 p, Vec3 n) {
   constexpr float near_origin = 1.0f / 32.0f, float_scale = 1.0f / 65536.0f, int_scale = 256.0f;
   const auto offset = [&](float x, float nx) {
-    if (std::abs(x) < near_origin) return x + float_scale * nx;
-    std::int32_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
     const auto step = static_cast<std::int32_t>(int_scale * nx);
-    bits += x < 0 ? -step : step;
-    float moved;
-    std::memcpy(&moved, &bits, sizeof moved);
-    return moved;
+    const float moved = std::bit_cast<float>(std::bit_cast<std::int32_t>(x) + (x < 0 ? -step : step));
+    return std::abs(x) < near_origin ? x + float_scale * nx : moved;
   };
   return {offset(p.x, n.x), offset(p.y, n.y), offset(p.z, n.z)};
 }

@@ -9,6 +9,7 @@
 #include "lambert/bsdf/gltf_pbr.h"
 #include "lambert/bsdf/thin_dielectric.h"
 
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -28,23 +29,30 @@ class Bsdf {
   Bsdf(M model) : model_(std::move(model)) {}
 
   Rgb eval(Vec3 wo, Vec3 wi, Transport mode = Transport::radiance) const {
-    return std::visit([&](const auto& m) { return m.eval(wo, wi, mode); }, model_);
+    return dispatch([&](const auto& m) { return m.eval(wo, wi, mode); });
   }
   float pdf(Vec3 wo, Vec3 wi) const {
-    return std::visit([&](const auto& m) { return m.pdf(wo, wi); }, model_);
+    return dispatch([&](const auto& m) { return m.pdf(wo, wi); });
   }
   std::optional<BsdfSample> sample(Vec3 wo, float u_lobe, Vec2 u, Transport mode = Transport::radiance) const {
-    return std::visit([&](const auto& m) { return m.sample(wo, u_lobe, u, mode); }, model_);
+    return dispatch([&](const auto& m) { return m.sample(wo, u_lobe, u, mode); });
   }
   Rgb albedo(Vec3 wo) const {
-    return std::visit([&](const auto& m) { return m.albedo(wo); }, model_);
+    return dispatch([&](const auto& m) { return m.albedo(wo); });
   }
   bool is_specular() const {
-    return std::visit([](const auto& m) { return m.is_specular(); }, model_);
+    return dispatch([](const auto& m) { return m.is_specular(); });
   }
   const Model& model() const { return model_; }
 
  private:
+  /// Most surfaces are diffuse: the compiler sees their functions through this branch, and inlines them.
+  template <class F>
+  std::invoke_result_t<F, const Diffuse&> dispatch(const F& f) const {
+    if (const auto* diffuse = std::get_if<Diffuse>(&model_)) return f(*diffuse);
+    return std::visit(f, model_);
+  }
+
   Model model_;
 };
 

@@ -73,13 +73,22 @@ Perspective perspective(Angle fov, FovAxis axis, Vec2i resolution) {
   return p;
 }
 
+bool Camera::has_lens() const {
+  struct HasLens {
+    bool operator()(const Perspective& p) const { return p.lens_radius > 0; }
+    bool operator()(const Orthographic& o) const { return o.lens_radius > 0; }
+    bool operator()(const Panoramic&) const { return false; }
+  };
+  return std::visit(HasLens{}, projection);
+}
+
 CameraRay Camera::ray(Vec2 film, Vec2 u_lens, float u_time) const {
   const LocalRay local = std::visit(MakeRay{film, resolution, u_lens}, projection);
   CameraRay r;
   r.ray.origin = to_world.point(local.origin);
   const Vec3 direction = to_world.vector(local.direction);
   const float local_length = length(local.direction), world_length = length(direction);
-  r.ray.direction = direction / world_length;
+  r.ray.direction = direction * (1 / world_length);
   r.ray.time = shutter_open + u_time * (shutter_close - shutter_open);
   r.cone = {local.pixel_width * world_length / local_length, local.pixel_spread / local_length};
   return r;

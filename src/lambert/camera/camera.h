@@ -51,6 +51,8 @@ struct Camera {
   Vec2i resolution{512, 512};
   float shutter_open = 0, shutter_close = 0;
 
+  bool has_lens() const;                                              ///< whether ray() takes notice of u_lens
+  bool has_shutter() const { return shutter_close != shutter_open; }  ///< and of u_time
   /// The ray through film point (x, y); `u_lens` picks the point on the lens, `u_time` the moment.
   CameraRay ray(Vec2 film, Vec2 u_lens = Vec2(0.5f), float u_time = 0) const;
   /// How far the point at `t` of a camera ray lies along the camera's axis; along the ray for panoramas.

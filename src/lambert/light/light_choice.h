@@ -30,6 +30,8 @@ class LightChooser {
   LightChooser() = default;
   LightChooser(std::span<const Light> lights, const LightContext& context, LightStrategy strategy);
 
+  /// False where choose() takes no notice of u: there is one light or none.
+  bool has_choice() const { return light_count_ > 1; }
   /// Needs u in [0,1). probability is 0 when there is no light that can matter. Lights on both sides of the surface
   /// count, since it may transmit; a zero normal stands for a point on no surface.
   Choice choose(Vec3 point, Vec3 normal, float u) const {

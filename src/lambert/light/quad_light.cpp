@@ -51,20 +51,24 @@ std::optional<ProjectedRectangle> QuadLight::spherical_view(Vec3 to_corner, floa
 }
 
 std::optional<LightSample> QuadLight::sample(const LightContext& c, Vec3 from, Vec2 u) const {
+  std::optional<LightSample> result;
   const Vec3 to_corner = corner_ - from;
   const float height = -dot(to_corner, normal_);
-  if (!emits(emission_, height)) return std::nullopt;
+  if (!emits(emission_, height)) return result;
 
   const auto seen = spherical_view(to_corner, height);
   // Lengths along the edges.
   const Vec2 offset = seen ? std::abs(height) * seen->sample(u) : u * Vec2(length_u_, length_v_);
   const Vec3 to_light = to_corner + offset.x * axis_u_ + offset.y * axis_v_;
-  LightSample s;
+  LightSample& s = result.emplace();
   s.distance = length(to_light);
   s.wi = to_light * (1 / s.distance);
   // pdf_area r² / |cos|
   s.pdf_omega = seen ? 1 / seen->solid_angle() : s.distance * s.distance * s.distance / (area_ * std::abs(height));
-  if (std::isinf(s.pdf_omega)) return std::nullopt;
+  if (std::isinf(s.pdf_omega)) {
+    result.reset();
+    return result;
+  }
   s.normal = normal_;
   s.radiance = emission_.radiance.value;
   if (emission_.radiance.texture != no_texture) {
@@ -74,7 +78,7 @@ std::optional<LightSample> QuadLight::sample(const LightContext& c, Vec3 from, V
     at.position = from + to_light;
     s.radiance = emission_.radiance.eval(*c.textures, at);
   }
-  return s;
+  return result;
 }
 
 float QuadLight::pdf_omega(Vec3 from, Vec3 hit) const {

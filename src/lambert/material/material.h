@@ -106,6 +106,7 @@ class MaterialSet {
   std::size_t size() const { return materials_.size(); }
   const Material& operator[](MaterialId id) const { return materials_[id]; }
   Material& operator[](MaterialId id) { return materials_[id]; }
+  bool is_mix(MaterialId id) const { return std::holds_alternative<MixMaterial>(materials_[id].model); }
   /// Follows mixes to a leaf; `hash` decides (see MixMaterial). Throws nothing; cycles are refused by validate().
   MaterialId resolve(MaterialId id, const TextureSet& textures, const TextureCoordinates& at, std::uint64_t hash) const;
   /// Throws Error when a mix refers to an unknown material or, through others, to itself.

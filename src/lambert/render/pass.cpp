@@ -15,17 +15,27 @@ constexpr std::uint32_t lens_dimension = 1, time_dimension = 2, method_dimension
 FilmSample take_sample(const PassContext& c, const Film& film, Vec2i pixel, std::uint32_t index, std::uint32_t& rays) {
   Sampler sampler(c.sampler, pixel, index);
   const FilterSampler::Sample filtered = c.filter.sample(sampler.next2());
-  sampler.set_dimension(lens_dimension);
-  const Vec2 lens = sampler.next2();
-  sampler.set_dimension(time_dimension);
-  const float time = sampler.next();
+  Vec2 lens(0.5f);
+  if (c.camera.has_lens()) {
+    sampler.set_dimension(lens_dimension);
+    lens = sampler.next2();
+  }
+  float time = 0;
+  if (c.camera.has_shutter()) {
+    sampler.set_dimension(time_dimension);
+    time = sampler.next();
+  }
   sampler.set_dimension(method_dimension);
 
   const CameraRay ray = c.camera.ray(Vec2(pixel) + 0.5f + filtered.offset, lens, time);
-  Method::Estimate estimate = c.method.radiance(ray, sampler, film.keeps_features());
+  const Method::Estimate estimate = c.method.radiance(ray, sampler, film.keeps_features());
   rays += estimate.rays;
-  if (film.keeps_features()) estimate.features.depth = c.camera.axis_depth(ray.ray, estimate.features.depth);
-  return {estimate.radiance, filtered.weight, estimate.features};
+  FilmSample result{.radiance = estimate.radiance, .weight = filtered.weight};
+  if (film.keeps_features()) {
+    result.features = estimate.features;
+    result.features.depth = c.camera.axis_depth(ray.ray, estimate.features.depth);
+  }
+  return result;
 }
 
 }  // namespace

@@ -22,13 +22,22 @@ Vec2 square_to_uniform_disk_polar(Vec2 u);
 Vec2 uniform_disk_polar_to_square(Vec2 p);
 inline float uniform_disk_pdf(Vec2 p) { return dot(p, p) <= 1 ? inv_pi : 0; }
 
+/// Sine and cosine of x in [-π/4, π/4], within 2^-23: truncated series with economised last terms.
+inline Vec2 cos_sin_octant(float x) {
+  const float x2 = x * x;
+  const float cos = 1 + x2 * (-0.5f + x2 * (0.041666646f + x2 * (-0.0013887316f + x2 * 2.4433157e-5f)));
+  const float sin = x * (1 + x2 * (-0.16666655f + x2 * (0.0083321609f + x2 * -0.00019515296f)));
+  return {cos, sin};
+}
+
 /// Unit disk, concentric: keeps nearby points near (Shirley and Chiu 1997).
 inline Vec2 square_to_uniform_disk_concentric(Vec2 u) {
   const float x = 2 * u.x - 1, y = 2 * u.y - 1;
   if (x == 0 && y == 0) return Vec2(0);
   const bool wide = x * x > y * y;
-  const float r = wide ? x : y, phi = wide ? (pi / 4) * (y / x) : (pi / 2) - (pi / 4) * (x / y);
-  return {r * std::cos(phi), r * std::sin(phi)};
+  const float r = wide ? x : y;
+  const Vec2 p = r * cos_sin_octant((pi / 4) * (wide ? y / x : x / y));
+  return wide ? p : Vec2(p.y, p.x);
 }
 Vec2 uniform_disk_concentric_to_square(Vec2 p);
 

@@ -12,6 +12,15 @@
 namespace lambert {
 namespace {
 
+TEST(Warp, CosineAndSineOfAnOctant) {
+  for (int i = -1000; i <= 1000; ++i) {
+    const float x = pi / 4 * static_cast<float>(i) / 1000;
+    const Vec2 cs = cos_sin_octant(x);
+    EXPECT_NEAR(cs.x, std::cos(x), 0x1p-23f) << x;
+    EXPECT_NEAR(cs.y, std::sin(x), 0x1p-23f) << x;
+  }
+}
+
 /// A triple in one form for all: points of the plane have z = 0 and lie in origin + [0,1]² size; a size of 0 means
 /// directions.
 struct Warp {

@@ -19,15 +19,15 @@ Vec2 uv_at(const TriangleMesh& mesh, const Triangle& t, Vec2 b) {
   return mesh.uvs.empty() ? b : interpolate(mesh.uvs, t, b);
 }
 
-/// ∂p/∂u from two edges and their texture coordinates; any edge where those are degenerate.
-Vec3 tangent_of(Vec3 e1, Vec3 e2, Vec2 d1, Vec2 d2) {
-  const float determinant = d1.x * d2.y - d1.y * d2.x;
-  return determinant != 0 ? (d2.y * e1 - d1.y * e2) / determinant : e1;
+/// Along ∂p/∂u, which is (d2.y e1 - d1.y e2) / (d1 x d2), from two edges and their texture coordinates; any edge where
+/// those are degenerate.
+Vec3 tangent_of(Vec3 e1, Vec3 e2, Vec2 d1, Vec2 d2, float determinant) {
+  return determinant != 0 ? std::copysign(1.0f, determinant) * (d2.y * e1 - d1.y * e2) : e1;
 }
 
 Vec3 normalized_or(Vec3 v, Vec3 fallback) {
   const float squared = dot(v, v);
-  return squared > 0 ? v / std::sqrt(squared) : fallback;
+  return squared > 0 ? v * (1 / std::sqrt(squared)) : fallback;
 }
 
 /// Unit vectors of vertices, mapped and made unit before they are interpolated, as transformed() does: a mesh looks the
@@ -48,7 +48,8 @@ void fill_from_mesh(SurfacePoint& point, const CompiledSurface& s, const Hit& hi
   point.position = p0 + b.x * e1 + b.y * e2;
   const Vec3 face = cross(e1, e2);
   const float twice_area = length(face);
-  point.ng = twice_area > 0 ? face / twice_area : Vec3(0, 0, 1);
+  const float inverse_area = twice_area > 0 ? 1 / twice_area : 0;
+  point.ng = twice_area > 0 ? face * inverse_area : Vec3(0, 0, 1);
   if (s.instanced && s.to_world.swaps_handedness()) point.ng = -point.ng;
   point.ns = point.ng;
   if (!mesh.normals.empty()) {
@@ -61,11 +62,11 @@ void fill_from_mesh(SurfacePoint& point, const CompiledSurface& s, const Hit& hi
   point.uv1 = mesh.uvs1.empty() ? point.uv : interpolate(mesh.uvs1, t, b);
   if (!mesh.colours.empty()) point.colour = interpolate(mesh.colours, t, b);
   const Vec2 uv0 = corner_uv(mesh, t, 0), d1 = corner_uv(mesh, t, 1) - uv0, d2 = corner_uv(mesh, t, 2) - uv0;
-  const float uv_area = std::abs(d1.x * d2.y - d1.y * d2.x);
-  point.uv_per_length = twice_area > 0 ? std::sqrt(uv_area / twice_area) : 0;
+  const float uv_area = d1.x * d2.y - d1.y * d2.x;
+  point.uv_per_length = std::sqrt(std::abs(uv_area) * inverse_area);
   if (mesh.tangents.empty()) {
-    point.tangent = tangent_of(e1, e2, d1, d2);
-    point.bitangent_sign = d1.x * d2.y - d1.y * d2.x < 0 ? -1.0f : 1.0f;
+    point.tangent = tangent_of(e1, e2, d1, d2, uv_area);
+    point.bitangent_sign = uv_area < 0 ? -1.0f : 1.0f;
   } else {
     const auto map = [&](Vec3 v) { return s.to_world.vector(v); };
     const Vec4 tangent = interpolate(mesh.tangents, t, b);

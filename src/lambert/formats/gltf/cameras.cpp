@@ -56,7 +56,7 @@ Transform unscaled(Mat4 world, const JsonView& place) {
 
 }  // namespace
 
-Camera read_camera(const JsonView& json, const Mat4& world, Notes& notes) {
+Camera read_camera(const JsonView& json, const Mat4& world) {
   const std::string type = json["type"].text();
   Camera camera;
   camera.name = json["name"].text("");
@@ -68,7 +68,6 @@ Camera read_camera(const JsonView& json, const Mat4& world, Notes& notes) {
   } else {
     json["type"].fail("unknown camera " + unknown_word(type, {"perspective", "orthographic"}));
   }
-  notes.add("the near and far planes of glTF cameras are ignored");
   return camera;
 }
 

@@ -91,7 +91,8 @@ TEST(Furnace, DispersionAveragesToWhite) {
 TEST(Furnace, RouletteAndDepthKeepTheMean) {
   const Scene scene =
       in_white(Geometry(torus(0.5f, 0.2f, 16, 12)), {.model = DiffuseMaterial{RgbParameter{Rgb(0.7f)}}});
-  const SeenMean often = path_mean(scene, facing_camera(), {{"roulette-depth", "0"}}, 256);
+  const MethodWords eager = {{"roulette-depth", "0"}, {"roulette-threshold", "1"}};
+  const SeenMean often = path_mean(scene, facing_camera(), eager, 256);
   const SeenMean never = path_mean(scene, facing_camera(), {{"roulette-depth", "1000"}, {"max-depth", "60"}}, 256);
   const auto result = statistics::z_test(static_cast<double>(luminance(often.mean) - luminance(never.mean)),
                                          std::hypot(often.standard_error, never.standard_error), 0);

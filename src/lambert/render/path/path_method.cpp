@@ -12,6 +12,9 @@ SettingTable PathMethod::settings() {
   return SettingTable({
       {"max-depth", "most scattering events of a path; 0: emission alone, 1: direct light", &settings_.max_depth},
       {"roulette-depth", "scattering events before Russian roulette may end a path", &settings_.roulette_depth},
+      {"roulette-threshold",
+       "throughput below which paths survive with a probability, and to which survivors are raised",
+       &settings_.roulette_threshold},
       {"clamp", "largest component of a contribution after the first bounce; 0: off (clamping biases)",
        &settings_.clamp},
   });

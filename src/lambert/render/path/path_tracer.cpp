@@ -13,15 +13,25 @@
 namespace lambert {
 namespace {
 
-// Dimensions of one scattering event; a fixed number, so that every event uses the same well-stratified pairs.
-constexpr std::uint32_t dimensions_per_event = 5;
+/// The numbers of one scattering event. Each has its own dimension and is drawn only where it decides something, so
+/// that every event uses the same well-stratified pairs and none is computed in vain.
+enum EventDimension : std::uint32_t {
+  wavelength_dimension,
+  light_dimension,
+  light_choice_dimension,
+  direction_dimension,
+  lobe_dimension,
+  roulette_dimension,
+  dimensions_per_event,
+};
+
+constexpr int long_path = 16;  // scattering events
 
 /// A surface point made ready for scattering.
 struct Vertex {
-  SurfacePoint point;
+  const SurfacePoint& point;
   Vec3 wo;  // towards the previous vertex
   Frame frame;
-  const Material* material = nullptr;
   Bsdf bsdf;
 
   Vec3 offset_origin(Vec3 towards) const {
@@ -47,13 +57,10 @@ class PathTracer {
         add_environment();
         break;
       }
-      Vertex v;
-      v.point = scene_.surface_point(ray_, hit);
-      v.wo = -ray_.direction;
-      add_emission(v);
+      const SurfacePoint point = scene_.surface_point(ray_, hit);
+      add_emission(point);
       if (depth_ == settings_.max_depth && !(want_features && depth_ == 0)) break;
-      sampler_.set_dimension(first_dimension_ + static_cast<std::uint32_t>(depth_) * dimensions_per_event);
-      prepare(v, hit.t);
+      const Vertex v = prepare(point, hit.t);
       if (want_features && depth_ == 0) record_features(v, hit.t);
       if (depth_ == settings_.max_depth) break;
       if (!v.bsdf.is_specular()) add_direct_light(v);
@@ -63,6 +70,11 @@ class PathTracer {
   }
 
  private:
+  Sampler& at(EventDimension dimension) {
+    sampler_.set_dimension(first_dimension_ + static_cast<std::uint32_t>(depth_) * dimensions_per_event + dimension);
+    return sampler_;
+  }
+
   /// Adds β L, with the clamp if there is one.
   void add(Rgb contribution) {
     if (settings_.clamp > 0 && depth_ > 0) {
@@ -88,38 +100,42 @@ class PathTracer {
     }
   }
 
-  void add_emission(const Vertex& v) {
-    const Rgb radiance = scene_.emitted(v.point, v.wo);
+  void add_emission(const SurfacePoint& point) {
+    const Rgb radiance = scene_.emitted(point, -ray_.direction);
     if (is_black(radiance)) return;
     if (found_only_by_scattering()) return add(throughput_ * radiance);
-    if (v.point.light == no_light || !scene_.casts_light(v.point)) return;
-    const float choice = scene_.light_chooser().probability(previous_position_, previous_normal_, v.point.light);
-    const float pdf_light = choice * scene_.light_pdf_omega(v.point, previous_position_);
+    if (point.light == no_light || !scene_.casts_light(point)) return;
+    const float choice = scene_.light_chooser().probability(previous_position_, previous_normal_, point.light);
+    const float pdf_light = choice * scene_.light_pdf_omega(point, previous_position_);
     add(throughput_ * radiance * power_heuristic(pdf_omega_, pdf_light));
   }
 
   /// Material, scattering model and frame at the vertex; absorption and dispersion on the way there.
-  void prepare(Vertex& v, float distance) {
-    const Vec2 u = sampler_.next2();
+  Vertex prepare(const SurfacePoint& point, float distance) {
+    const Vec3 wo = -ray_.direction;
     MaterialContext context;
-    context.at.uv = v.point.uv, context.at.uv1 = v.point.uv1, context.at.position = v.point.position;
-    context.at.footprint = cone_.at(distance) * v.point.uv_per_length;
-    context.vertex_colour = Rgb(v.point.colour.x, v.point.colour.y, v.point.colour.z);
+    context.at.uv = point.uv, context.at.uv1 = point.uv1, context.at.position = point.position;
+    context.at.footprint = cone_.at(distance) * point.uv_per_length;
+    context.vertex_colour = Rgb(point.colour.x, point.colour.y, point.colour.z);
 
     const MaterialSet& materials = scene_.materials();
-    const std::uint64_t hash = hash_values(v.point.position, v.wo, v.point.primitive);
-    v.material = &materials[materials.resolve(v.point.material, scene_.textures(), context.at, hash)];
+    MaterialId id = point.material;
+    if (materials.is_mix(id))
+      id = materials.resolve(id, scene_.textures(), context.at, hash_values(point.position, wo, point.primitive));
+    const Material& material = materials[id];
 
-    const bool inside = dot(v.wo, v.point.ng) < 0;
-    if (inside && !is_black(v.material->absorption)) throughput_ *= exp(v.material->absorption * -distance);
-    if (wavelength_ == 0 && is_dispersive(*v.material)) {
-      wavelength_ = sample_wavelength(u.x);
+    const bool inside = dot(wo, point.ng) < 0;
+    if (inside && !is_black(material.absorption)) throughput_ *= exp(material.absorption * -distance);
+    if (wavelength_ == 0 && is_dispersive(material)) {
+      wavelength_ = sample_wavelength(at(wavelength_dimension).next2().x);
       throughput_ *= wavelength_rgb(wavelength_);
     }
     context.wavelength_nm = wavelength_;
-    v.bsdf = make_bsdf(*v.material, scene_.textures(), context);
-    v.frame = shading_frame(*v.material, scene_.textures(), context.at, v.point.ng, v.point.ns, v.point.tangent,
-                            v.point.bitangent_sign, v.wo);
+    return {.point = point,
+            .wo = wo,
+            .frame = shading_frame(material, scene_.textures(), context.at, point.ng, point.ns, point.tangent,
+                                   point.bitangent_sign, wo),
+            .bsdf = make_bsdf(material, scene_.textures(), context)};
   }
 
   void record_features(const Vertex& v, float distance) {
@@ -132,12 +148,12 @@ class PathTracer {
   }
 
   void add_direct_light(const Vertex& v) {
-    const Vec2 u_light = sampler_.next2();
-    const float u_choice = sampler_.next();
-    const LightChooser::Choice choice = scene_.light_chooser().choose(v.point.position, v.frame.n, u_choice);
+    const LightChooser& chooser = scene_.light_chooser();
+    const float u_choice = chooser.has_choice() ? at(light_choice_dimension).next() : 0;
+    const LightChooser::Choice choice = chooser.choose(v.point.position, v.frame.n, u_choice);
     if (!(choice.probability > 0)) return;
     const Light& light = scene_.lights()[choice.light];
-    const auto sample = sample_light(light, scene_.light_context(), v.point.position, u_light);
+    const auto sample = sample_light(light, scene_.light_context(), v.point.position, at(light_dimension).next2());
     if (!sample || is_black(sample->radiance)) return;
 
     const Vec3 wo = v.frame.to_local(v.wo), wi = v.frame.to_local(sample->wi);
@@ -168,21 +184,19 @@ class PathTracer {
 
   /// Continues the path by the scattering model; false when it is absorbed.
   bool scatter(const Vertex& v, float distance) {
-    sampler_.set_dimension(first_dimension_ + static_cast<std::uint32_t>(depth_) * dimensions_per_event + 3);
-    const Vec2 u = sampler_.next2();
-    const Vec2 u_lobe = sampler_.next2();
-    const auto sample = v.bsdf.sample(v.frame.to_local(v.wo), u_lobe.x, u);
+    const Vec2 u = at(direction_dimension).next2();
+    const float u_lobe = at(lobe_dimension).next();
+    const auto sample = v.bsdf.sample(v.frame.to_local(v.wo), u_lobe, u);
     if (!sample) return false;
     throughput_ *= sample->weight;
     if (is_black(throughput_)) return false;
-    u_roulette_ = u_lobe.y;
     pdf_omega_ = sample->pdf;
     specular_ = sample->specular;
     previous_position_ = v.point.position, previous_normal_ = v.frame.n;
     if (sample->transmitted) eta_scale_ *= sample->eta * sample->eta;
 
     cone_.width = cone_.at(distance);
-    const Vec3 direction = normalize(v.frame.to_world(sample->wi));
+    const Vec3 direction = v.frame.to_world(sample->wi);
     const float time = ray_.time;
     ray_ = Ray{v.offset_origin(direction), direction};
     ray_.time = time;
@@ -192,8 +206,12 @@ class PathTracer {
   bool survives_roulette() {
     if (depth_ + 1 < settings_.roulette_depth) return true;
     // Undoing the scaling of radiance by refraction: a path inside glass is not worth less for it.
-    const float survival = std::min(0.95f, max_component(throughput_) * eta_scale_);
-    const float factor = russian_roulette(survival, u_roulette_);
+    const float worth = max_component(throughput_) * eta_scale_;
+    // Among white walls or inside glass a path may lose nothing: from here on it ends all the same.
+    const float most = depth_ < long_path ? 1.0f : 0.95f;
+    if (worth >= settings_.roulette_threshold && most == 1) return true;
+    const float survival = std::min(most, worth / settings_.roulette_threshold);
+    const float factor = russian_roulette(survival, at(roulette_dimension).next());
     throughput_ *= factor;
     return factor > 0;
   }
@@ -209,7 +227,6 @@ class PathTracer {
   Rgb throughput_{1.0f};
   float eta_scale_ = 1;
   float wavelength_ = 0;  // 0 until dispersion is met
-  float u_roulette_ = 0;
 
   // How the present ray was found.
   Vec3 previous_position_{0}, previous_normal_{0};
