@@ -128,6 +128,7 @@ class Writer {
       const char* word = "";
       for (const Path& ring : polygon) {
         path(ring, word);
+        if (ends_as_it_begins(ring)) vertex(ring, 0);
         if (!ring.points.empty()) word = "hole\n";
       }
     }
@@ -144,16 +145,22 @@ class Writer {
     if (path.points.empty()) return;
     text_ += word;
     has_vertices_ = true;
-    for (std::size_t i = 0; i < path.points.size(); ++i) {
-      append_number(text_, path.points[i].x);
+    for (std::size_t i = 0; i < path.points.size(); ++i) vertex(path, i);
+  }
+  void vertex(const Path& path, std::size_t i) {
+    append_number(text_, path.points[i].x);
+    text_ += " ";
+    append_number(text_, path.points[i].y);
+    if (!path.heights.empty()) {
       text_ += " ";
-      append_number(text_, path.points[i].y);
-      if (!path.heights.empty()) {
-        text_ += " ";
-        append_number(text_, path.heights[i]);
-      }
-      text_ += "\n";
+      append_number(text_, path.heights[i]);
     }
+    text_ += "\n";
+  }
+  /// The reader would drop the last vertex of such a ring: the first is written once more.
+  static bool ends_as_it_begins(const Path& ring) {
+    return ring.points.size() > 1 && ring.points.front() == ring.points.back() &&
+           (ring.heights.empty() || ring.heights.front() == ring.heights.back());
   }
 
   std::string text_;

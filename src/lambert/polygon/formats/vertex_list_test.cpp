@@ -54,6 +54,12 @@ TEST(VertexList, WhatIsWrittenReadsTheSame) {
   EXPECT_EQ(vertex_list_text(parse_vertex_list(text, "f.txt")), text);
 }
 
+TEST(VertexList, ARingMayVisitItsFirstVertexTwice) {
+  const Features features = parse_vertex_list("0 0\n1 0\n0 0\n0 0\n", "f.txt");
+  EXPECT_EQ(rings_of(features), (Rings{{{0, 0}, {1, 0}, {0, 0}}}));
+  EXPECT_EQ(parse_vertex_list(vertex_list_text(features), "f.txt"), features);
+}
+
 TEST(VertexList, SurvivesDamage) {
   expect_survives_damage("# c\n0 0\n9 0\n0 9\nhole\n1 1\n1 2\n2 1\n\n20,0,1\n30,0,1\nline\n1 1\n2 2\npoints\n5 5\n",
                          20'000, [](const std::string& damaged) { parse(damaged); });
