@@ -1,6 +1,7 @@
 #include "lambert/geometry/ear_clipping.h"
 #include "lambert/geometry/mesh.h"
-#include "lambert/geometry/newell.h"
+#include "lambert/polygon/convex.h"
+#include "lambert/polygon/normal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,29 +22,12 @@ void split_quad(std::span<const Vec3> positions, std::span<const std::uint32_t> 
 
 /// The face's corners without the normal's largest coordinate, counter-clockwise.
 std::vector<Vec2d> project(std::span<const Vec3> positions, std::span<const std::uint32_t> face, Vec3d normal) {
-  const int drop = dominant_axis(normal);
-  const bool mirrored = normal[drop] < 0;
-  const int a = (drop + (mirrored ? 2 : 1)) % 3, b = (drop + (mirrored ? 1 : 2)) % 3;
+  const polygon::PlaneProjection flatten(normal);
   const Vec3d origin(positions[face[0]]);
   std::vector<Vec2d> flat;
   flat.reserve(face.size());
-  for (const std::uint32_t v : face) {
-    const Vec3d p = Vec3d(positions[v]) - origin;
-    flat.emplace_back(p[a], p[b]);
-  }
+  for (const std::uint32_t v : face) flat.push_back(flatten(Vec3d(positions[v]) - origin));
   return flat;
-}
-
-bool is_convex(const std::vector<Vec2d>& p) {
-  const std::size_t n = p.size();
-  double turning = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec2d u = p[(i + 1) % n] - p[i], v = p[(i + 2) % n] - p[(i + 1) % n];
-    const double turn = u.x * v.y - u.y * v.x;
-    if (turn < 0) return false;
-    turning += std::atan2(turn, glm::dot(u, v));
-  }
-  return turning < 7;  // one revolution, not two (a pentagram turns one way as well)
 }
 
 }  // namespace
@@ -58,11 +42,11 @@ void triangulate_face(std::span<const Vec3> positions, std::span<const std::uint
   if (face.size() == 3 || !std::all_of(face.begin(), face.end(), exists)) return fan();
   if (face.size() == 4) return split_quad(positions, face, out);
 
-  const Vec3d normal = newell_normal(positions, face);
+  const Vec3d normal = polygon::newell_sum(face.size(), [&](std::size_t i) { return Vec3d(positions[face[i]]); });
   const double squared = glm::dot(normal, normal);
   if (!(squared > 0) || !std::isfinite(squared)) return fan();
   const std::vector<Vec2d> flat = project(positions, face, normal);
-  if (is_convex(flat)) return fan();
+  if (polygon::is_convex(flat)) return fan();
   for (const Triangle& t : clip_ears(flat)) out.push_back({face[t[0]], face[t[1]], face[t[2]]});
 }
 

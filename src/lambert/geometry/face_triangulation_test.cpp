@@ -1,6 +1,6 @@
 #include "lambert/geometry/mesh.h"
-#include "lambert/geometry/newell.h"
 #include "lambert/geometry/shape_test_tools.h"
+#include "lambert/polygon/normal.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ std::vector<Triangle> triangulate(const std::vector<Vec3>& corners) {
 void expect_covered(const std::vector<Vec3>& corners) {
   const std::vector<Triangle> triangles = triangulate(corners);
   ASSERT_EQ(triangles.size(), corners.size() - 2);
-  const Vec3d face = newell_normal(corners, whole(corners));
+  const Vec3d face = polygon::newell_sum(corners.size(), [&](std::size_t i) { return Vec3d(corners[i]); });
   double sum = 0;
   for (const Triangle& t : triangles) {
     const Vec3d a(corners[t[0]]), n = glm::cross(Vec3d(corners[t[1]]) - a, Vec3d(corners[t[2]]) - a);

@@ -1,7 +1,7 @@
 #include "lambert/base/error.h"
-#include "lambert/geometry/newell.h"
 #include "lambert/geometry/ray_tests.h"
 #include "lambert/geometry/shape.h"
+#include "lambert/polygon/normal.h"
 #include "lambert/sampling/warp.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Bounds3 bounds_of(const std::vector<Vec3>& vertices) {
 }
 
 Vec3 checked_normal(const std::vector<Vec3>& vertices, const Bounds3& box) {
-  const Vec3d area = newell_normal(vertices, whole_face(vertices));
+  const Vec3d area = polygon::newell_sum(vertices.size(), [&](std::size_t i) { return Vec3d(vertices[i]); });
   const double twice_area = glm::length(area), extent = glm::length(Vec3d(box.max) - Vec3d(box.min));
   if (!(twice_area > 1e-12 * extent * extent)) throw Error("a polygon's vertices lie on one line");
   const Vec3d n = area / twice_area;
@@ -64,7 +64,7 @@ Polygon::Polygon(std::vector<Vec3> vertices)
     : vertices_(checked(std::move(vertices))),
       bounds_(bounds_of(vertices_)),
       normal_(checked_normal(vertices_, bounds_)),
-      drop_axis_(dominant_axis(Vec3d(normal_))),
+      drop_axis_(polygon::dominant_axis(Vec3d(normal_))),
       triangles_(triangulated(vertices_)),
       triangle_choice_(areas(vertices_, triangles_)) {
   const std::vector<float> parts = areas(vertices_, triangles_);

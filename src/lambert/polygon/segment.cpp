@@ -1,0 +1,106 @@
+#include "lambert/polygon/segment.h"
+
+#include "lambert/polygon/accurate.h"
+#include "lambert/polygon/scale.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace lambert::polygon {
+namespace {
+
+std::pair<Vec2d, Vec2d> ascending(const Segment& s) {
+  return compare_xy(s.a, s.b) <= 0 ? std::pair(s.a, s.b) : std::pair(s.b, s.a);
+}
+
+/// The parameter of p, which lies on s.
+double parameter_on(const Segment& s, Vec2d p) {
+  if (p == s.a) return 0;
+  if (p == s.b) return 1;
+  const Vec2d d = s.b - s.a;
+  const double t = std::abs(d.x) > std::abs(d.y) ? (p.x - s.a.x) / d.x : (p.y - s.a.y) / d.y;
+  return std::clamp(t, 0.0, 1.0);
+}
+
+/// Both lie on one line.
+SegmentMeeting meet_on_line(const Segment& v, const Segment& w) {
+  const auto [v_low, v_high] = ascending(v);
+  const auto [w_low, w_high] = ascending(w);
+  const Vec2d from = compare_xy(v_low, w_low) >= 0 ? v_low : w_low;
+  const Vec2d to = compare_xy(v_high, w_high) <= 0 ? v_high : w_high;
+  const int order = compare_xy(from, to);
+  if (order > 0) return {.kind = SegmentCase::collinear_disjoint};
+  const bool same = v_low == w_low && v_high == w_high;
+  const SegmentCase kind = same        ? SegmentCase::superimposed
+                           : order < 0 ? SegmentCase::collinear_overlap
+                                       : SegmentCase::collinear_touching;
+  return {kind, parameter_on(v, from), parameter_on(w, from), from, to};
+}
+
+SegmentMeeting meet_parallel(const Segment& v, const Segment& w) {
+  // Where one is a point, only the other has a line to ask.
+  const bool one_line = orientation(v.a, v.b, w.a) == 0 && orientation(w.a, w.b, v.a) == 0;
+  return one_line ? meet_on_line(v, w) : SegmentMeeting{.kind = SegmentCase::parallel_disjoint};
+}
+
+Vec2d crossing_point(const Segment& v, const Segment& w, double t) {
+  const auto low = [](const Segment& s) { return glm::min(s.a, s.b); };
+  const auto high = [](const Segment& s) { return glm::max(s.a, s.b); };
+  // From the nearer end, so that the rounding of t counts little.
+  const Vec2d p = t <= 0.5 ? v.a + t * (v.b - v.a) : v.b + (1 - t) * (v.a - v.b);
+  return glm::clamp(p, glm::max(low(v), low(w)), glm::min(high(v), high(w)));
+}
+
+SegmentMeeting intersect_in_range(const Segment& v, const Segment& w) {
+  const auto lines = meet_lines(v, w);
+  if (!lines) return meet_parallel(v, w);
+  const int wa = orientation(v.a, v.b, w.a), wb = orientation(v.a, v.b, w.b);
+  const int va = orientation(w.a, w.b, v.a), vb = orientation(w.a, w.b, v.b);
+  if (wa * wb > 0 || va * vb > 0) return {SegmentCase::lines_cross_outside, lines->t, lines->p};
+  SegmentMeeting meeting{SegmentCase::crossing, std::clamp(lines->t, 0.0, 1.0), std::clamp(lines->p, 0.0, 1.0)};
+  if (va == 0) meeting.t = 0;
+  if (vb == 0) meeting.t = 1;
+  if (wa == 0) meeting.p = 0;
+  if (wb == 0) meeting.p = 1;
+  meeting.from = va == 0 ? v.a : vb == 0 ? v.b : wa == 0 ? w.a : wb == 0 ? w.b : crossing_point(v, w, meeting.t);
+  meeting.to = meeting.from;
+  return meeting;
+}
+
+}  // namespace
+
+std::optional<LineMeeting> meet_lines(const Segment& v, const Segment& w) {
+  // With the names of the notes: AD - CB = -(v x w), ED - FB = -((W1 - V1) x w), AF - CE = v x (W1 - V1) ...
+  const double determinant = accurate_cross(v.a, v.b, w.a, w.b);
+  if (determinant == 0) return std::nullopt;
+  return LineMeeting{accurate_cross(v.a, w.a, w.a, w.b) / determinant,
+                     accurate_cross(v.a, w.a, v.a, v.b) / determinant};
+}
+
+std::string_view name_of(SegmentCase c) {
+  constexpr std::array<std::string_view, 7> names{"lines_cross_outside", "crossing",           "parallel_disjoint",
+                                                  "collinear_disjoint",  "collinear_touching", "collinear_overlap",
+                                                  "superimposed"};
+  return names[static_cast<std::size_t>(c)];
+}
+
+SegmentMeeting intersect(const Segment& v, const Segment& w) {
+  const double scale = scale_to_safe(extent_of(box_of(std::array{v.a, v.b, w.a, w.b})));
+  if (scale == 1) return intersect_in_range(v, w);
+  SegmentMeeting meeting = intersect_in_range({scale * v.a, scale * v.b}, {scale * w.a, scale * w.b});
+  meeting.from /= scale, meeting.to /= scale;
+  return meeting;
+}
+
+bool intersect_half_open(const Segment& v, const Segment& w) {
+  const int wa = orientation(v.a, v.b, w.a), wb = orientation(v.a, v.b, w.b);
+  const int va = orientation(w.a, w.b, v.a), vb = orientation(w.a, w.b, v.b);
+  // A closed hit of lines that are not parallel, and neither end b on the other line.
+  return vb != 0 && wb != 0 && wa * wb <= 0 && va * vb <= 0;
+}
+
+double signed_coordinate(Vec2d a, Vec2d b, Vec2d p) { return dot(p - a, b - a) / length(b - a); }
+
+}  // namespace lambert::polygon
