@@ -1,6 +1,6 @@
-#include "lambert/geometry/ear_clipping.h"
 #include "lambert/geometry/mesh.h"
 #include "lambert/polygon/convex.h"
+#include "lambert/polygon/ear_clipping.h"
 #include "lambert/polygon/normal.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ void triangulate_face(std::span<const Vec3> positions, std::span<const std::uint
   if (!(squared > 0) || !std::isfinite(squared)) return fan();
   const std::vector<Vec2d> flat = project(positions, face, normal);
   if (polygon::is_convex(flat)) return fan();
-  for (const Triangle& t : clip_ears(flat)) out.push_back({face[t[0]], face[t[1]], face[t[2]]});
+  for (const Triangle& t : polygon::clip_ears(flat)) out.push_back({face[t[0]], face[t[1]], face[t[2]]});
 }
 
 }  // namespace lambert

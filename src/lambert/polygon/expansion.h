@@ -83,13 +83,18 @@ Expansion<n + m> operator-(const Expansion<n>& a, const Expansion<m>& b) {
   return a + -b;
 }
 
-/// Shewchuk's fig. 13, Scale-Expansion.
+/// Shewchuk's fig. 13, Scale-Expansion. Never more than 2n components, whatever overflows.
 template <std::size_t n>
 Expansion<2 * n> operator*(const Expansion<n>& a, double factor) {
   Expansion<2 * n> scaled;
   double carry = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const RoundedSum product = two_product(a[i], factor);
+    if (i == 0) {
+      scaled.push(product.error);
+      carry = product.value;
+      continue;
+    }
     const RoundedSum low = two_sum(carry, product.error);
     scaled.push(low.error);
     const RoundedSum high = two_sum(product.value, low.value);
@@ -105,7 +110,7 @@ Expansion<2 * n * m> operator*(const Expansion<n>& a, const Expansion<m>& b) {
   Expansion<2 * n * m> product;
   for (std::size_t j = 0; j < b.size(); ++j) {
     const Expansion<2 * n> part = a * b[j];
-    Expansion<2 * n * m> sum = product;
+    Expansion<2 * n* m> sum = product;
     for (std::size_t k = 0; k < part.size(); ++k) {
       Expansion<2 * n * m> grown;
       double carry = part[k];

@@ -45,8 +45,8 @@ inline bool on_segment(Vec2d a, Vec2d b, Vec2d p) { return orientation(a, b, p) 
 /// The sign of (b - a) . (d - c). Exact.
 int dot_sign(Vec2d a, Vec2d b, Vec2d c, Vec2d d);
 
-/// Compares the directions b - a and d - c by their turn: 1 when the second lies counter-clockwise of the first, by less
-/// than half a revolution; -1 when clockwise, 0 when they are parallel or opposite. Exact.
+/// Compares the directions b - a and d - c by their turn: 1 when the second lies counter-clockwise of the first, by
+/// less than half a revolution; -1 when clockwise, 0 when they are parallel or opposite. Exact.
 int turn_sign(Vec2d a, Vec2d b, Vec2d c, Vec2d d);
 
 }  // namespace lambert::polygon

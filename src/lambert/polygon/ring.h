@@ -40,8 +40,8 @@ inline std::size_t previous_index(std::size_t i, std::size_t size) { return (i =
 Rings rings_of(const Region& region);
 Rings rings_of(const Regions& regions);
 
-/// Half the sum of cross products: positive when counter-clockwise; of a ring that crosses itself, the sum of area times
-/// winding number. Relative to the first vertex, so that rings far from the origin lose no digits.
+/// Half the sum of cross products: positive when counter-clockwise; of a ring that crosses itself, the sum of area
+/// times winding number. Relative to the first vertex, so that rings far from the origin lose no digits.
 double signed_area(const Ring& ring);
 double signed_area(const Rings& rings);
 double area(const Region& region);

@@ -1,4 +1,6 @@
-#include "lambert/geometry/ear_clipping.h"
+#include "lambert/polygon/ear_clipping.h"
+
+#include "lambert/polygon/predicates.h"
 
 #include <glm/common.hpp>
 
@@ -7,11 +9,8 @@
 #include <cstddef>
 #include <deque>
 
-namespace lambert {
+namespace lambert::polygon {
 namespace {
-
-double cross2(Vec2d a, Vec2d b) { return a.x * b.y - a.y * b.x; }
-double turn(Vec2d a, Vec2d b, Vec2d c) { return cross2(b - a, c - b); }
 
 /// Some corners, sorted into square cells.
 class CornerGrid {
@@ -90,10 +89,9 @@ class EarClipper {
     }
     return reflex;
   }
-  double turn_at(std::uint32_t i) const {
-    return turn(corners_[ring_[i].before], corners_[i], corners_[ring_[i].after]);
+  void update(std::uint32_t i) {
+    ring_[i].reflex = orientation(corners_[ring_[i].before], corners_[i], corners_[ring_[i].after]) <= 0;
   }
-  void update(std::uint32_t i) { ring_[i].reflex = turn_at(i) <= 0; }
 
   void refill(std::uint32_t from) {
     clipped_since_refill_ = false;
@@ -106,13 +104,14 @@ class EarClipper {
 
   bool is_ear(std::uint32_t i) {
     const Vec2d a = corners_[ring_[i].before], b = corners_[i], c = corners_[ring_[i].after];
-    if (!(turn(a, b, c) > 0)) return false;
+    if (orientation(a, b, c) <= 0) return false;
     return !grid_.any(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), [&](std::uint32_t k) {
       if (tests_left_ == 0) return false;
       --tests_left_;
       // A chain that touches a or c cannot cut the triangle without a corner in it; one that touches b can.
       if (!ring_[k].reflex || ring_[k].removed || k == i || corners_[k] == a || corners_[k] == c) return false;
-      return turn(a, b, corners_[k]) >= 0 && turn(b, c, corners_[k]) >= 0 && turn(c, a, corners_[k]) >= 0;
+      const Vec2d p = corners_[k];
+      return orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0;
     });
   }
 
@@ -143,6 +142,8 @@ class EarClipper {
 
 }  // namespace
 
-std::vector<Triangle> clip_ears(std::span<const Vec2d> corners) { return EarClipper(corners).run(); }
+std::vector<Triangle> clip_ears(std::span<const Vec2d> corners) {
+  return corners.size() < 3 ? std::vector<Triangle>{} : EarClipper(corners).run();
+}
 
-}  // namespace lambert
+}  // namespace lambert::polygon
