@@ -1,6 +1,5 @@
 #include "lambert/polygon/delaunay.h"
 
-#include "lambert/polygon/interval_tree.h"
 #include "lambert/polygon/predicates.h"
 #include "lambert/polygon/sorted_points.h"
 #include "lambert/polygon/triangle_links.h"

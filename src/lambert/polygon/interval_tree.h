@@ -1,10 +1,10 @@
 #pragma once
+#include "lambert/polygon/no_index.h"
+
 #include <cstdint>
 #include <vector>
 
 namespace lambert::polygon {
-
-inline constexpr std::uint32_t no_index = 0xffffffffu;
 
 /// A sequence of small numbers, each at most once, that is searched from a root: a treap (Seidel and Aragon, 1996)
 /// whose priorities are a fixed hash of the number, so that the same calls always give the same tree. Height is

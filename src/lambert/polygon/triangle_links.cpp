@@ -1,7 +1,5 @@
 #include "lambert/polygon/triangle_links.h"
 
-#include "lambert/polygon/interval_tree.h"
-
 #include <algorithm>
 #include <cstddef>
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "lambert/polygon/no_index.h"
 #include "lambert/polygon/triangle.h"
 
 #include <array>
