@@ -107,9 +107,10 @@ inline Ring random_simple(Random& random, std::size_t size, std::size_t grid) {
   return ring;
 }
 
-/// A star with radii above 0.5 and `per_side` x `per_side` small clockwise stars as holes around the origin.
+/// A star of 8 or more corners with radii above 0.6 and `per_side` x `per_side` small clockwise stars as holes around
+/// the origin.
 inline Region star_with_holes(Random& random, std::size_t size, std::size_t per_side, std::size_t hole_size) {
-  Region region{star(random, size, 0.5), {}};
+  Region region{star(random, std::max<std::size_t>(size, 8), 0.6), {}};
   const double cell = 0.7 / static_cast<double>(per_side);
   for (std::size_t row = 0; row < per_side; ++row)
     for (std::size_t column = 0; column < per_side; ++column) {

@@ -79,17 +79,45 @@ class Sweep {
     const Vec2d p = points_[vertices[0]];
     std::vector<Index> lefts, rights;
     const auto sort_in = [&](Index edge, Vec2d other) {
-      if (const int order = compare_xy(other, p); order != 0) (order < 0 ? lefts : rights).push_back(edge);
+      const int order = compare_xy(other, p);
+      if (order > 0) rights.push_back(edge);
+      if (order < 0 && owner_[edge] != no_index) lefts.push_back(edge);
     };
     for (const Index v : vertices) sort_in(previous_[v], points_[previous_[v]]), sort_in(v, points_[next_[v]]);
     std::sort(lefts.begin(), lefts.end(), [&](Index a, Index b) { return orientation(left_of(a), p, left_of(b)) > 0; });
-    std::sort(rights.begin(), rights.end(),
-              [&](Index a, Index b) { return orientation(p, right_of(a), right_of(b)) > 0; });
+    std::sort(rights.begin(), rights.end(), [&](Index a, Index b) {
+      const int turn = orientation(p, right_of(a), right_of(b));
+      return turn != 0 ? turn > 0 : compare_xy(right_of(a), right_of(b)) < 0;
+    });
+    // Edges that coincide enclose nothing.
+    for (std::size_t k = 0; k + 1 < rights.size();) {
+      if (right_of(rights[k]) == right_of(rights[k + 1]))
+        rights.erase(rights.begin() + static_cast<std::ptrdiff_t>(k),
+                     rights.begin() + static_cast<std::ptrdiff_t>(k + 2));
+      else
+        ++k;
+    }
     const Index v = vertices[0];
+    close_coincident(v, lefts);
     std::size_t i = 0, k = 0;
     for (; i + 1 < lefts.size(); i += 2) close(v, lefts[i], lefts[i + 1]);
     if (i < lefts.size() && k < rights.size()) pass(v, lefts[i], rights[k++]);
     for (; k + 1 < rights.size(); k += 2) open(v, rights[k], rights[k + 1]);
+  }
+
+  /// Of edges that arrive in one direction, whose order is not known, closes pairs with the interior on opposite sides.
+  void close_coincident(Index v, std::vector<Index>& lefts) {
+    const auto is_lower = [&](Index edge) { return intervals_[owner_[edge]].lower == edge; };
+    for (std::size_t k = 0; k + 1 < lefts.size();) {
+      const Index a = lefts[k], b = lefts[k + 1];
+      if (orientation(left_of(a), points_[v], left_of(b)) == 0 && is_lower(a) != is_lower(b)) {
+        close(v, a, b);
+        lefts.erase(lefts.begin() + static_cast<std::ptrdiff_t>(k), lefts.begin() + static_cast<std::ptrdiff_t>(k + 2));
+        k -= std::min<std::size_t>(k, 1);
+      } else {
+        ++k;
+      }
+    }
   }
 
   /// One edge takes over from the other.
