@@ -1,9 +1,10 @@
 #include "lambert/geometry/generators.h"
 
+#include "lambert/geometry/unit_circle.h"
+
 #include <cassert>
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 namespace lambert {
 namespace {
@@ -12,12 +13,7 @@ struct PatchPoint {
   Vec3 position, normal;
 };
 
-/// Cosine and sine of `turns` revolutions; exact at quarters, so that what closes meets.
-Vec2 circle(float turns) {
-  const double angle = 2 * std::numbers::pi * static_cast<double>(turns), c = std::cos(angle), s = std::sin(angle);
-  constexpr double rounding = 1e-12;
-  return {std::abs(c) < rounding ? 0 : static_cast<float>(c), std::abs(s) < rounding ? 0 : static_cast<float>(s)};
-}
+Vec2 circle(float turns) { return Vec2(unit_circle(static_cast<double>(turns))); }
 
 /// A grid of vertices over [0,1]², one row and column more than cells; ∂p/∂u × ∂p/∂v points outward. Triangles that a
 /// pole collapses are left out.

@@ -42,6 +42,46 @@ float TriangleMesh::area() const {
   return static_cast<float>(0.5 * twice);
 }
 
+float TriangleMesh::volume() const {
+  if (positions.empty()) return 0;
+  // Tetrahedra with an apex near the surface: far from the origin no digits are lost.
+  const Vec3d apex(positions[0]);
+  double six_times = 0;
+  for (const Triangle& t : triangles) {
+    const Vec3d a = Vec3d(positions[t[0]]) - apex, b = Vec3d(positions[t[1]]) - apex, c = Vec3d(positions[t[2]]) - apex;
+    six_times += dot(a, cross(b, c));
+  }
+  return static_cast<float>(six_times / 6);
+}
+
+bool is_closed(const TriangleMesh& mesh) {
+  struct Edge {
+    std::array<float, 6> ends;  // the lesser first
+    int direction;
+  };
+  std::vector<Edge> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  const auto place = [&](std::uint32_t v) {
+    const Vec3 p = mesh.positions[v] + 0.0f;  // one zero of two
+    return std::array<float, 3>{p.x, p.y, p.z};
+  };
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto from = place(t[i]), to = place(t[(i + 1) % 3]);
+      if (from == to) return false;
+      const auto &low = std::min(from, to), &high = std::max(from, to);
+      edges.push_back({{low[0], low[1], low[2], high[0], high[1], high[2]}, from < to ? 1 : -1});
+    }
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.ends < b.ends; });
+  for (std::size_t i = 0; i < edges.size();) {
+    int balance = 0;
+    const auto ends = edges[i].ends;
+    for (; i < edges.size() && edges[i].ends == ends; ++i) balance += edges[i].direction;
+    if (balance != 0) return false;
+  }
+  return true;
+}
+
 void validate(const TriangleMesh& mesh) {
   check_array(mesh, "positions", mesh.positions);
   check_array(mesh, "normals", mesh.normals);

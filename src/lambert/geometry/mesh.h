@@ -27,11 +27,16 @@ struct TriangleMesh {
 
   Bounds3 bounds() const;
   float area() const;  ///< one side
+  /// Enclosed by a closed mesh (is_closed()): positive when its triangles face outward.
+  float volume() const;
 };
 
 /// Throws Error naming mesh, array and index when an index is out of range, an array has the wrong length or a number
 /// is not finite.
 void validate(const TriangleMesh& mesh);
+/// Whether it bounds a solid: each edge, known by the positions of its ends, runs as often one way as the other, and no
+/// triangle has two corners in one place. O(n log n).
+bool is_closed(const TriangleMesh& mesh);
 /// The mesh mapped by `t`; triangles are turned round when it mirrors.
 TriangleMesh transformed(TriangleMesh mesh, const Transform& t);
 /// Normals per vertex, weighted by angle; for meshes that have none and want to be smooth.

@@ -52,6 +52,19 @@ void expect_normals_along_winding(const TriangleMesh& mesh) {
   }
 }
 
+TEST(Mesh, ClosedMeshesHaveAVolume) {
+  TriangleMesh mesh = box({1001, -2, -3}, {1002, 2, 3});
+  EXPECT_TRUE(is_closed(mesh));
+  EXPECT_NEAR(mesh.volume(), 24, 1e-3f);
+  mesh.triangles[0] = {mesh.triangles[0][0], mesh.triangles[0][2], mesh.triangles[0][1]};
+  EXPECT_FALSE(is_closed(mesh));
+  mesh.triangles.erase(mesh.triangles.begin());
+  EXPECT_FALSE(is_closed(mesh));
+  mesh.triangles = {{0, 1, 1}, {1, 0, 0}};
+  EXPECT_FALSE(is_closed(mesh));
+  EXPECT_EQ(TriangleMesh{}.volume(), 0);
+}
+
 TEST(TransformedMesh, MirroredTrianglesTurnRound) {
   const Transform mirror = Transform::scale({-2, 1, 0.5f}) * Transform::rotate(degrees(30), {1, 2, 3});
   const TriangleMesh mesh = transformed(uv_sphere(1, 24, 12), mirror);
