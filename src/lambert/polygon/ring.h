@@ -21,6 +21,8 @@ using Rings = std::vector<Ring>;
 enum class FillRule : std::uint8_t {
   even_odd,  ///< an odd number of times
   non_zero,  ///< a number of times other than 0, clockwise counted as -1
+  positive,  ///< counter-clockwise on the whole: more than 0 times
+  negative,  ///< clockwise on the whole: fewer than 0 times
 };
 
 /// One connected piece of the plane: a counter-clockwise outer ring and clockwise holes inside it.

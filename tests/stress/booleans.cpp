@@ -1,0 +1,35 @@
+/// usage: stress_booleans COUNT [SEED]: runs the booleans on COUNT random degenerate inputs, one process a core. Stops
+/// at the first fault and prints the input.
+
+#include "stress/boolean_case.h"
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+
+int main(int count, char** arguments) {
+  using namespace lambert::polygon;
+  const std::uint64_t cases = count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 100'000;
+  const std::uint64_t seed = count > 2 ? std::strtoull(arguments[2], nullptr, 10) : 1;
+  std::mt19937_64 random(seed);
+  const auto start = std::chrono::steady_clock::now();
+  std::array<std::uint64_t, 40> words;
+  double slowest = 0;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    for (std::uint64_t& word : words) word = random();
+    const BooleanCase input = decode_case({reinterpret_cast<const std::uint8_t*>(words.data()), sizeof words});
+    const auto before = std::chrono::steady_clock::now();
+    if (const std::string fault = find_fault(input); !fault.empty()) {
+      std::printf("case %llu of seed %llu: %s\n%s", static_cast<unsigned long long>(i),
+                  static_cast<unsigned long long>(seed), fault.c_str(), to_code(input).c_str());
+      return 1;
+    }
+    slowest = std::max(slowest, std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count());
+  }
+  std::printf("%llu cases of seed %llu without fault in %.0f s, the slowest took %.2g s\n",
+              static_cast<unsigned long long>(cases), static_cast<unsigned long long>(seed),
+              std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), slowest);
+  return 0;
+}
