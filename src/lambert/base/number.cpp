@@ -33,6 +33,12 @@ const char* parse_real(const char* p, const char* end, Real& value) {
   return error == std::errc::result_out_of_range && parse_extreme(p, last, value) ? last : nullptr;
 }
 
+template <class Real>
+void append_real(std::string& text, Real value) {
+  char digits[32];
+  text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+
 }  // namespace
 
 const char* parse_float(const char* p, const char* end, float& value) { return parse_real(p, end, value); }
@@ -46,10 +52,8 @@ const char* parse_int(const char* p, const char* end, std::int64_t& value) {
   return error == std::errc() ? last : nullptr;
 }
 
-void append_number(std::string& text, double value) {
-  char digits[32];
-  text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
-}
+void append_number(std::string& text, double value) { append_real(text, value); }
+void append_number(std::string& text, float value) { append_real(text, value); }
 
 std::string number_text(double value) {
   std::string text;
