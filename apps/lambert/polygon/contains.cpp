@@ -45,6 +45,7 @@ int run(const Options& o) {
 
   Picture picture{.title = "contains"};
   show_inputs(picture, inputs, rule);
+  picture.points.clear();
   picture.labels.clear();
   nlohmann::ordered_json answers = nlohmann::json::array();
   std::string text;

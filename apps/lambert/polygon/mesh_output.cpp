@@ -1,7 +1,5 @@
 #include "mesh_output.h"
 
-#include "places.h"
-
 #include "lambert/formats/write_mesh.h"
 
 #include <algorithm>
@@ -25,13 +23,6 @@ bool write_meshes(PolygonOptions& o, const std::function<TriangleMesh()>& mesh) 
   }
   o.mesh_written = true;
   return o.outputs.empty() && o.svg.empty() && o.png.empty();
-}
-
-void add_vertex_numbers(polygon::Picture& picture, const std::vector<Vec2d>& vertices) {
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    picture.points.push_back({.at = vertices[i], .colour = ink, .radius = 2.4});
-    picture.labels.push_back({.at = vertices[i], .text = std::to_string(i), .colour = ink, .away = {1, 1}});
-  }
 }
 
 }  // namespace lambert::cli

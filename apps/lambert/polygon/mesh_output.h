@@ -11,7 +11,4 @@ namespace lambert::cli {
 /// for more.
 bool write_meshes(PolygonOptions& o, const std::function<TriangleMesh()>& mesh);
 
-/// Numbers vertices that lie on no ring of their own.
-void add_vertex_numbers(polygon::Picture& picture, const std::vector<Vec2d>& vertices);
-
 }  // namespace lambert::cli

@@ -25,6 +25,7 @@ struct Options : PolygonOptions {
 
 /// The triangles of one feature and the vertices that they number.
 struct Mesh {
+  Rings rings;
   std::vector<Vec2d> vertices;
   std::vector<polygon::Triangle> triangles;
 };
@@ -43,15 +44,24 @@ std::vector<polygon::Triangle> ears_of(const Regions& regions) {
 
 Mesh triangulated(const Feature& feature, const Options& o) {
   const Regions regions = normalised(rings_of(feature), fill_rule(o));
-  const FlatRings rings = flat(rings_of(regions));
-  if (o.method == "delaunay") return {rings.vertices, delaunay(rings)};
-  if (o.method == "sweep") return {rings.vertices, triangulate(rings)};
-  if (o.method == "ears") return {rings.vertices, ears_of(regions)};
+  const Rings rings = rings_of(regions);
+  const FlatRings numbered = flat(rings);
+  if (o.method == "delaunay") return {rings, numbered.vertices, delaunay(numbered)};
+  if (o.method == "sweep") return {rings, numbered.vertices, triangulate(numbered)};
+  if (o.method == "ears") return {rings, numbered.vertices, ears_of(regions)};
   throw Error("--method: unknown method " + unknown_word(o.method, {"delaunay", "sweep", "ears"}));
 }
 
 Ring corners(const Mesh& mesh, const polygon::Triangle& t) {
   return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+}
+
+void add_vertex_numbers(Picture& picture, const Mesh& mesh) {
+  std::size_t first = 0;
+  for (const Ring& ring : mesh.rings) {
+    add_indices(picture, {ring}, ink, first);
+    first += ring.size();
+  }
 }
 
 /// All features in one flat mesh that faces +z.
@@ -84,7 +94,7 @@ int run_triangulate(const Options& o) {
     result.features.push_back(std::move(feature));
   }
   show_pieces(picture, shown);
-  for (const Mesh& mesh : meshes) add_vertex_numbers(picture, mesh.vertices);
+  for (const Mesh& mesh : meshes) add_vertex_numbers(picture, mesh);
   picture.title = "triangulate, " + o.method + ": " + counted(shown.size(), "triangle");
   PolygonOptions rest = o;
   if (write_meshes(rest, [&] { return flat_mesh(meshes); })) return done;
@@ -121,7 +131,7 @@ int run_strips(const Options& o) {
     }
     numbers += strips.vertex_count();
     triangles += mesh.triangles.size();
-    add_vertex_numbers(picture, mesh.vertices);
+    add_vertex_numbers(picture, mesh);
   }
   picture.title = "strips: " + counted(triangles, "triangle") + " in " + counted(number, "strip") + ", " +
                   std::to_string(numbers) + " numbers";

@@ -96,6 +96,10 @@ class Artist {
 
   void draw_labels() {
     Room room(16);
+    for (const Picture::Point& point : picture_.points) {
+      const Vec2d at = sheet_.point(point.at), reach(std::min(point.radius, 3.0));
+      room.take(at - reach, at + reach);
+    }
     for (const Picture::Label& label : picture_.labels) {
       const Vec2d at = sheet_.point(label.at);
       const double half_width = 0.5 * text_width(label.text, label_size) + 1, half_height = 0.36 * label_size + 1;

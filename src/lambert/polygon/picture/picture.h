@@ -53,9 +53,9 @@ struct Picture {
 void add_indices(Picture& picture, const Rings& rings, const Colour& colour, std::size_t first = 0);
 
 struct PictureOptions {
-  double width = 640;        ///< pixels
-  double max_height = 1000;  ///< pixels, title and legend apart
-  bool grid = true;          ///< lines at round coordinates, with their numbers
+  double width = 640;       ///< pixels
+  double max_height = 640;  ///< pixels, title and legend apart
+  bool grid = true;         ///< lines at round coordinates, with their numbers
 };
 
 /// Scales the picture to the sheet, all axes alike, y up. Covers no label by another: one that finds no room is left

@@ -8,10 +8,11 @@
 
 namespace lambert::polygon {
 
-/// Where the data comes to lie on the sheet: within margins, both axes to one scale, y turned downwards.
+/// Where the data comes to lie on the sheet: within margins for the numbers of the grid and padding for labels, both
+/// axes to one scale, y turned downwards.
 class Sheet {
  public:
-  static constexpr double margin = 44;
+  static constexpr double margin = 36, padding = 18;
 
   /// `box` may be empty, a point or as large as doubles are.
   Sheet(const Box2& box, const PictureOptions& options, double title_height);
