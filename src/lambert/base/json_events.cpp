@@ -55,7 +55,8 @@ class Placed {
 
   bool null() { return (events_.null(next(consumed_)), true); }
   bool boolean(bool b) { return (events_.boolean(b, next(consumed_)), true); }
-  bool number_integer(std::int64_t i) { return number_float(static_cast<double>(i), {}); }
+  // Zero comes this way with its sign only: "-0".
+  bool number_integer(std::int64_t i) { return number_float(i == 0 ? -0.0 : static_cast<double>(i), {}); }
   bool number_unsigned(std::uint64_t i) { return number_float(static_cast<double>(i), {}); }
   bool number_float(double d, const std::string&) {
     // Only the character behind a number ends it; it is consumed too, unless the text ends.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace lambert {
@@ -10,7 +11,9 @@ namespace {
 /// Every event's kind and own text.
 struct Recorder : JsonEvents {
   explicit Recorder(std::string_view json) : text(json) {}
-  void add(char kind, TextRange at) { seen.push_back(std::string(1, kind) + std::string(at.in(text))); }
+  void add(char kind, TextRange at) {
+    if (!text.empty()) seen.push_back(std::string(1, kind) + std::string(at.in(text)));
+  }
   void null(TextRange at) override { add('0', at); }
   void boolean(bool, TextRange at) override { add('b', at); }
   void number(double value, TextRange at) override {
@@ -47,6 +50,15 @@ TEST(JsonEvents, ANumberMayEndTheText) {
     parse_json_events(text, "f", events);
     EXPECT_EQ(events.seen, std::vector<std::string>{"n12"}) << text;
   }
+}
+
+TEST(JsonEvents, NumbersKeepTheirSigns) {
+  Recorder events("");
+  parse_json_events("[-0, 0, -0.0, -1, 9223372036854775807, -9223372036854775808, 18446744073709551616]", "f", events);
+  EXPECT_EQ(events.numbers, (std::vector<double>{0, 0, 0, -1, 0x1p63, -0x1p63, 0x1p64}));
+  EXPECT_TRUE(std::signbit(events.numbers[0]));
+  EXPECT_FALSE(std::signbit(events.numbers[1]));
+  EXPECT_TRUE(std::signbit(events.numbers[2]));
 }
 
 TEST(JsonEvents, PlacesCountFromOne) {
