@@ -21,6 +21,24 @@ struct Entry {
   std::function<int()> run;
 };
 
+/// The first word that names no command where one must stand, with the known ones; empty when there is none.
+std::string unknown_command(const CLI::App& app, int argc, char** argv) {
+  const CLI::App* at = &app;
+  for (int i = 1; i < argc; ++i) {
+    const std::vector<const CLI::App*> commands = at->get_subcommands([](const CLI::App*) { return true; });
+    const std::string word = argv[i];
+    if (commands.empty() || word.starts_with('-')) break;
+    const auto found = std::ranges::find_if(commands, [&](const CLI::App* c) { return c->get_name() == word; });
+    if (found == commands.end()) {
+      std::vector<std::string> names;
+      for (const CLI::App* command : commands) names.push_back(command->get_name());
+      return unknown_word(word, names);
+    }
+    at = *found;
+  }
+  return {};
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Lambert: one scene, every way of making an image of it.", "lambert");
   app.set_version_flag("--version", "lambert " LAMBERT_VERSION);
@@ -43,16 +61,15 @@ int run(int argc, char** argv) {
   add("render", "Make an image of a scene", cli::add_render);
   add("info", "Say what is in a scene", cli::add_info);
   add("methods", "List the methods of rendering and their settings", cli::add_methods);
+  add("polygon", "Algorithms of the plane on files of polygons", cli::add_polygon);
   add("completion", "Print a completion script for a shell", cli::add_completion);
 
   if (argc < 2) {
     fmt::print(stderr, "{}", app.help());
     return cli::usage_error;
   }
-  std::vector<std::string> names;
-  for (const Entry& e : entries) names.push_back(e.app->get_name());
-  if (const std::string first = argv[1]; !first.starts_with('-') && std::ranges::find(names, first) == names.end()) {
-    log::error("unknown command " + unknown_word(first, names));
+  if (const std::string complaint = unknown_command(app, argc, argv); !complaint.empty()) {
+    log::error("unknown command " + complaint);
     return cli::usage_error;
   }
   try {

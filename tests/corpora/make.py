@@ -306,9 +306,70 @@ def pbrts():
     write("pbrt/bad-cut.pbrt.gz", gzip.compress(world(sphere).encode(), mtime=0)[:-12])
 
 
+# Polygons ----------------------------------------------------------------------------------------------------------
+def polygons():
+    bad = lambda name, text: write(f"polygon/bad-{name}", text)
+    geometry = lambda kind, coordinates: f'{{"type":"{kind}","coordinates":{coordinates}}}'
+    feature = lambda g, more="": f'{{"type":"Feature","id":7,"properties":{{"name":"a","b":[1,{{}}]}}{more},"geometry":{g}}}'
+    collection = lambda *features: '{"type":"FeatureCollection","crs":null,"features":[\n' + ",\n".join(features) + "\n]}\n"
+    holed = "[[[0,0],[9,0],[9,9],[0,9],[0,0]],[[1,1],[1,2],[2,1],[1,1]]]"
+    write("polygon/good.geojson", collection(
+        feature(geometry("Polygon", holed)), feature(geometry("MultiPolygon", f"[{holed},[[[20,0,1],[30,0,1],[20,9,1],[20,0,1]]]]")),
+        feature("null"), feature('{"type":"GeometryCollection","geometries":[' + ",".join(
+            [geometry("Point", "[1,2]"), geometry("MultiPoint", "[[1,2],[3e1,-4.5]]"), geometry("LineString", "[[1,2],[3,4]]"),
+             geometry("MultiLineString", "[[[1,2],[3,4]],[[5,6],[7,8]]]")]) + "]}", ',"bbox":[0,0,1,1]')))
+    write("polygon/good-bare.json", holed)
+    write("polygon/good-degenerate.geojson", geometry("MultiPolygon", "[[],[[]],[[[0,0]]],[[[0,0],[0,0],[1,1],[0,0]]]]"))
+    write("polygon/good.wkt", "SRID=4326;POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 1 2, 2 1, 1 1))\npolygon empty\n"
+          "MULTIPOINT ((1 2), (3 4));\nGEOMETRYCOLLECTION Z (POINT Z (1 2 3), LINESTRING (1 2, 3 4),\n"
+          "  MULTIPOLYGON (((0 0, 1 0, 0 1, 0 0)), EMPTY), MULTILINESTRING ((1 2, 3 4), (5 6, 7 8)))\n")
+    write("polygon/good.txt", "# a polygon with a hole, another, a line and points\n0 0\n9,0\n9 , 9\n0 9 # corner\nhole\n1 1\n1 2\n2 1\n\n"
+          "20 0 1\n30 0 1\n20 9 1\nline\n1 2\n3 4\npoints\n5e-1 6\n")
+
+    bad("cut.geojson", collection(feature(geometry("Polygon", holed)))[:-40])
+    bad("empty.geojson", "")
+    bad("no-type.geojson", "{}")
+    bad("type.geojson", geometry("Poligon", holed))
+    bad("type-number.geojson", '{"type":5}')
+    bad("nan.geojson", geometry("Point", "[NaN,0]"))
+    bad("null.geojson", collection(feature(geometry("Polygon", "[[[0,0],[1,null],[0,1],[0,0]]]"))))
+    bad("overflow.geojson", geometry("Point", "[1e999,0]"))
+    bad("one-number.geojson", geometry("LineString", "[[0,0],[1]]"))
+    bad("shallow.geojson", geometry("Polygon", "[[0,0],[1,0],[0,1],[0,0]]"))
+    bad("deep.geojson", geometry("Polygon", "[" * 10_000))
+    bad("deep-collection.geojson", '{"type":"GeometryCollection","geometries":[' * 1000)
+    bad("deep-properties.geojson", '{"type":"Feature","properties":{"a":' + "[" * 10_000)
+    bad("mixed.geojson", geometry("MultiPolygon", "[[[[0,0],[1,0],[0,1],[0,0]]],[[0,0]]]"))
+    bad("object.geojson", geometry("Point", '[{"x":1},2]'))
+    bad("features.geojson", '{"type":"FeatureCollection","features":[7]}')
+    bad("no-features.geojson", '{"type":"FeatureCollection"}')
+    bad("no-coordinates.geojson", '{"type":"Polygon"}')
+    bad("utf8.geojson", b'{"type":"Feature","properties":{"name":"\xff"},"geometry":null}')
+    bad("trailing.geojson", geometry("Point", "[1,2]") + "x")
+    bad("cut.wkt", "POLYGON ((0 0, 1 0, 0 1, 0 0)")
+    bad("name.wkt", "POLIGON ((0 0, 1 0, 0 1, 0 0))")
+    bad("nan.wkt", "POINT (nan 0)")
+    bad("inf.wkt", "LINESTRING (0 0, inf 1)")
+    bad("overflow.wkt", "POINT (1e999 0)")
+    bad("one-number.wkt", "LINESTRING (0 0, 1)")
+    bad("measure.wkt", "POINT M (1 2 3)")
+    bad("four.wkt", "POINT (1 2 3 4)")
+    bad("srid.wkt", "SRID=x;POINT (1 2)")
+    bad("deep.wkt", "GEOMETRYCOLLECTION (" * 1000)
+    bad("brackets.wkt", "POLYGON " + "(" * 10_000)
+    bad("binary.wkt", b"POINT (1 2)\0\xff")
+    bad("word.txt", "0 0\n1 x\n")
+    bad("nan.txt", "0 0\nnan 1\n")
+    bad("overflow.txt", "0 0\n1 1e999\n")
+    bad("one-number.txt", "0 0\n1\n")
+    bad("four.txt", "0 0 0 0\n")
+    bad("binary.txt", bytes(range(1, 256)))
+
+
 if __name__ == "__main__":
     images()
     gltfs()
     objs()
     plys()
     pbrts()
+    polygons()

@@ -3,7 +3,7 @@
 set -euo pipefail
 build=$1 seconds=$2
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-readers=(gltf pbrt obj ply image)
+readers=(gltf pbrt obj ply image polygon_file)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 for reader in "${readers[@]}"; do
@@ -11,7 +11,7 @@ for reader in "${readers[@]}"; do
   echo "fuzz $reader"
   # Outside of the sources: what the fuzzer finds interesting is not ours to keep; crashes are kept in the build folder.
   if ! "$build/tests/fuzz/fuzz_$reader" -max_total_time=$((seconds / ${#readers[@]})) -rss_limit_mb=2048 -timeout=10 -max_len=65536 \
-    -print_final_stats=1 -artifact_prefix="$build/" "$work/$reader" "$here/../corpora/$reader" >"$work/log" 2>&1; then
+    -print_final_stats=1 -artifact_prefix="$build/" "$work/$reader" "$here/../corpora/${reader%_file}" >"$work/log" 2>&1; then
     tail -n 60 "$work/log"
     exit 1
   fi

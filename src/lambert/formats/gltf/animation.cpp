@@ -2,7 +2,7 @@
 
 #include "lambert/base/error.h"
 #include "lambert/formats/gltf/hierarchy.h"
-#include "lambert/formats/number.h"
+#include "lambert/base/number.h"
 
 #include <algorithm>
 #include <span>

@@ -1,6 +1,6 @@
 #include "lambert/formats/gltf/draco.h"
 
-#include "lambert/formats/number.h"
+#include "lambert/base/number.h"
 
 #include <draco/compression/decode.h>
 #include <draco/compression/point_cloud/point_cloud_decoder.h>

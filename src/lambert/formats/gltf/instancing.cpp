@@ -1,7 +1,7 @@
 #include "lambert/formats/gltf/instancing.h"
 
 #include "lambert/formats/gltf/hierarchy.h"
-#include "lambert/formats/number.h"
+#include "lambert/base/number.h"
 
 namespace lambert::gltf {
 

@@ -1,7 +1,7 @@
 #include "lambert/formats/gltf/json.h"
 
 #include "lambert/base/error.h"
-#include "lambert/formats/number.h"
+#include "lambert/base/number.h"
 
 #include <cmath>
 #include <limits>

@@ -25,7 +25,7 @@ struct Json::Member {
   Json value;
 };
 
-/// Throws Error with `name`, line and column. Nesting deeper than 256 is refused.
+/// Throws Error with `name`, line and column. Nesting deeper than max_json_depth is refused.
 Json parse_json(std::string_view text, const std::string& name);
 
 /// A value, or the absence of one, together with its JSON pointer: every complaint says "file: /meshes/0/name: why".

@@ -2,7 +2,7 @@
 
 #include "lambert/formats/gltf/topology.h"
 #include "lambert/formats/gltf/vertices.h"
-#include "lambert/formats/number.h"
+#include "lambert/base/number.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "lambert/formats/gltf/uri.h"
 
-#include "lambert/formats/number.h"
+#include "lambert/base/number.h"
 
 #include <array>
 #include <cctype>

@@ -1,6 +1,6 @@
 #include "lambert/formats/obj/mtl.h"
 
-#include "lambert/formats/number.h"
+#include "lambert/base/number.h"
 #include "lambert/formats/obj/lines.h"
 
 #include <algorithm>

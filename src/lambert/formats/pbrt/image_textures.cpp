@@ -1,7 +1,7 @@
 #include "lambert/formats/pbrt/image_textures.h"
 
 #include "lambert/base/file.h"
-#include "lambert/formats/number.h"
+#include "lambert/base/number.h"
 #include "lambert/image/colour.h"
 #include "lambert/image/io.h"
 

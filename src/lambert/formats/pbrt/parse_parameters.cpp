@@ -1,4 +1,4 @@
-#include "lambert/formats/number.h"
+#include "lambert/base/number.h"
 #include "lambert/formats/pbrt/old_syntax.h"
 #include "lambert/formats/pbrt/parameters.h"
 

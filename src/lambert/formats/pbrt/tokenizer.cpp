@@ -1,6 +1,6 @@
 #include "lambert/formats/pbrt/tokenizer.h"
 
-#include "lambert/formats/number.h"
+#include "lambert/base/number.h"
 
 #include <limits>
 #include <utility>

@@ -2,7 +2,7 @@
 /// The values behind a PLY header, one after the other, from text or from bytes of either order.
 
 #include "lambert/base/error.h"
-#include "lambert/formats/number.h"
+#include "lambert/base/number.h"
 #include "lambert/formats/ply/header.h"
 
 #include <bit>

@@ -1,4 +1,4 @@
-#include "lambert/formats/number.h"
+#include "lambert/base/number.h"
 
 #include <charconv>
 #include <cmath>
@@ -11,16 +11,16 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // from_chars says "out of range" for overflow and underflow alike.
-bool parse_extreme(const char* p, const char* last, float& value) {
+template <class Real>
+bool parse_extreme(const char* p, const char* last, Real& value) {
   const double wide = std::strtod(std::string(p, last).c_str(), nullptr);
-  if (!(std::abs(wide) <= static_cast<double>(std::numeric_limits<float>::max()))) return false;
-  value = static_cast<float>(wide);
+  if (!(std::abs(wide) <= static_cast<double>(std::numeric_limits<Real>::max()))) return false;
+  value = static_cast<Real>(wide);
   return true;
 }
 
-}  // namespace
-
-const char* parse_float(const char* p, const char* end, float& value) {
+template <class Real>
+const char* parse_real(const char* p, const char* end, Real& value) {
   const bool plus = p != end && *p == '+';
   if (plus) ++p;
   const char* digits = p;
@@ -33,12 +33,32 @@ const char* parse_float(const char* p, const char* end, float& value) {
   return error == std::errc::result_out_of_range && parse_extreme(p, last, value) ? last : nullptr;
 }
 
+template <class Real>
+void append_real(std::string& text, Real value) {
+  char digits[32];
+  text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+
+}  // namespace
+
+const char* parse_float(const char* p, const char* end, float& value) { return parse_real(p, end, value); }
+const char* parse_double(const char* p, const char* end, double& value) { return parse_real(p, end, value); }
+
 const char* parse_int(const char* p, const char* end, std::int64_t& value) {
   if (p != end && *p == '+') {
     if (++p != end && !is_digit(*p)) return nullptr;
   }
   const auto [last, error] = std::from_chars(p, end, value);
   return error == std::errc() ? last : nullptr;
+}
+
+void append_number(std::string& text, double value) { append_real(text, value); }
+void append_number(std::string& text, float value) { append_real(text, value); }
+
+std::string number_text(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
 }
 
 std::string printable(std::string_view word) {

@@ -1,9 +1,12 @@
-#include "lambert/formats/number.h"
+#include "lambert/base/number.h"
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <random>
 
 namespace lambert {
 namespace {
@@ -35,6 +38,23 @@ TEST(Number, TooSmallIsZeroTooLargeIsNone) {
   EXPECT_EQ(whole_float("-1e-60"), -0.0f);
   EXPECT_EQ(whole_float("1e999"), std::nullopt);
   EXPECT_EQ(whole_float("3.5e38"), std::nullopt);
+}
+
+TEST(Number, DoublesGoOutAndInUnchanged) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 100'000; ++i) {
+    const double value = std::bit_cast<double>(random());
+    if (!std::isfinite(value)) continue;
+    const std::string text = number_text(value);
+    double back = 0;
+    ASSERT_EQ(parse_double(text.data(), text.data() + text.size(), back), text.data() + text.size()) << text;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(value), std::bit_cast<std::uint64_t>(back)) << text;
+  }
+  EXPECT_EQ(number_text(0.1), "0.1");
+  EXPECT_EQ(number_text(-0.0), "-0");
+  double huge = 0;
+  const std::string_view too_large = "1e309";
+  EXPECT_EQ(parse_double(too_large.begin(), too_large.end(), huge), nullptr);
 }
 
 TEST(Number, WhatIsNoNumber) {

@@ -1,0 +1,120 @@
+#include "verb.h"
+
+#include "lambert/base/error.h"
+#include "lambert/base/file.h"
+#include "lambert/image/colour.h"
+#include "lambert/image/io.h"
+#include "lambert/polygon/picture/pixels.h"
+#include "lambert/polygon/picture/svg.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace lambert::cli {
+
+using namespace polygon;
+
+namespace {
+
+std::string extension_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
+bool is_picture(const std::string& path) { return extension_of(path) == ".svg" || extension_of(path) == ".png"; }
+
+void write_pixels(const std::string& path, const Drawing& drawing) {
+  const Pixels pixels = rasterised(drawing);
+  Image image(pixels.width, pixels.height, rgb_channels());
+  const auto out = image.pixels();
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = srgb_decode(static_cast<float>(pixels.rgb[i]) / 255.0f);
+  image.metadata["software"] = "lambert " LAMBERT_VERSION;
+  write_image(path, image);
+}
+
+/// Pictures by all flags that name one; returns what else -o names.
+std::vector<std::string> other_outputs(const PolygonOptions& o, std::vector<std::string>& pictures) {
+  std::vector<std::string> others;
+  for (const std::string& path : o.outputs) (is_picture(path) ? pictures : others).push_back(path);
+  for (const std::string* path : {&o.svg, &o.png})
+    if (!path->empty()) pictures.push_back(*path);
+  return others;
+}
+
+std::string absolute(const std::string& path) { return std::filesystem::absolute(path).lexically_normal().string(); }
+
+void write_pictures(const std::vector<std::string>& paths, const Picture& picture, const std::string& svg) {
+  if (paths.empty()) return;
+  const Drawing drawing = draw(picture);
+  for (const std::string& path : paths) {
+    if (extension_of(path) == ".svg" || path == svg) {
+      write_atomically(path, svg_text(drawing));
+    } else {
+      write_pixels(path, drawing);
+    }
+  }
+}
+
+void add_pictures(CLI::App& app, PolygonOptions& o) {
+  app.add_option("--svg", o.svg, "Draw what happened")->type_name("FILE");
+  app.add_option("--png", o.png, "The same as pixels")->type_name("FILE");
+}
+
+}  // namespace
+
+void add_geometry_outputs(CLI::App& app, PolygonOptions& o) {
+  app.add_option("-o,--output", o.outputs,
+                 "Write the result: .geojson .json .wkt .txt .csv .xy, or a picture: .svg .png; "
+                 "several allowed. Else it is printed")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  app.add_option("--to", o.format, "Format to print: geojson, wkt or vertices; that of the input by default");
+  add_pictures(app, o);
+}
+
+void add_fact_outputs(CLI::App& app, PolygonOptions& o) {
+  app.add_option("-o,--output", o.outputs, "Write the facts as .json, or a picture: .svg .png; several allowed")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  app.add_flag("--json", o.json, "Print JSON");
+  add_pictures(app, o);
+}
+
+void print_path(const std::string& path) { fmt::print("{}\n", absolute(path)); }
+
+void write_geometry(const PolygonOptions& o, FileFormat like, const Features& result, const Picture& picture) {
+  std::vector<std::string> pictures;
+  const std::vector<std::string> files = other_outputs(o, pictures);
+  bool print = files.empty() && !o.mesh_written;
+  for (const std::string& path : files) {
+    if (path == "-") {
+      print = true;
+    } else {
+      output_format(path);
+    }
+  }
+  const FileFormat format = o.format.empty() ? like : format_named(o.format);
+  for (const std::string& path : files)
+    if (path != "-") write_features(path, result);
+  write_pictures(pictures, picture, o.svg);
+  if (print) {
+    fmt::print("{}", features_text(result, format));
+    return;
+  }
+  for (const std::string& path : files) print_path(path);
+  for (const std::string& path : pictures) print_path(path);
+}
+
+void write_facts(const PolygonOptions& o, const nlohmann::ordered_json& facts, const std::string& text,
+                 const Picture& picture) {
+  std::vector<std::string> pictures;
+  const std::vector<std::string> files = other_outputs(o, pictures);
+  const auto dumped = [&] { return facts.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"; };
+  for (const std::string& path : files)
+    if (extension_of(path) != ".json")
+      throw Error(path + ": unknown extension " + unknown_word(extension_of(path), {".json", ".svg", ".png"}));
+  for (const std::string& path : files) write_atomically(path, dumped());
+  write_pictures(pictures, picture, o.svg);
+  fmt::print("{}", o.json ? dumped() : text);
+}
+
+}  // namespace lambert::cli

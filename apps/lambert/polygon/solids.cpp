@@ -1,0 +1,125 @@
+#include "mesh_output.h"
+#include "places.h"
+
+#include "../command.h"
+
+#include "lambert/base/error.h"
+#include "lambert/formats/write_mesh.h"
+#include "lambert/geometry/extrude.h"
+#include "lambert/geometry/revolve.h"
+#include "lambert/polygon/boolean.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace lambert::cli {
+
+using namespace polygon;
+
+namespace {
+
+struct ExtrudeOptions : PolygonOptions {
+  std::string along = "0,0,1";
+  float crease = 30;
+};
+struct RevolveOptions : PolygonOptions {
+  std::string origin = "0,0,0", axis = "0,1,0", reference = "1,0,0";
+  float sweep = 360, start = 0, crease = 30;
+  int steps = 32;
+};
+
+Vec3d parse_vector(const std::string& flag, const std::string& text) {
+  const std::vector<double> n = parse_reals(flag, text, 3, "X,Y,Z");
+  return {n[0], n[1], n[2]};
+}
+
+/// To the files of -o, or as OBJ text to standard output.
+int write_solid(PolygonOptions o, const TriangleMesh& mesh) {
+  if (o.outputs.empty()) {
+    fmt::print("{}", obj_of(mesh));
+    return done;
+  }
+  const std::vector<std::string> known = mesh_extensions();
+  for (const std::string& path : o.outputs) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (std::ranges::find(known, extension) == known.end())
+      throw Error(path + ": unknown extension " + unknown_word(extension, known));
+  }
+  write_meshes(o, [&] { return mesh; });
+  return done;
+}
+
+void add_solid_outputs(CLI::App& app, PolygonOptions& o) {
+  app.add_option("-o,--output", o.outputs, "Write the mesh: .ply .obj .glb; several allowed. Else OBJ is printed")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+}
+
+void append(TriangleMesh& all, const TriangleMesh& more) {
+  const auto first = static_cast<std::uint32_t>(all.positions.size());
+  all.positions.insert(all.positions.end(), more.positions.begin(), more.positions.end());
+  all.normals.insert(all.normals.end(), more.normals.begin(), more.normals.end());
+  all.uvs.insert(all.uvs.end(), more.uvs.begin(), more.uvs.end());
+  for (const auto& [a, b, c] : more.triangles) all.triangles.push_back({first + a, first + b, first + c});
+}
+
+int run_extrude(const ExtrudeOptions& o) {
+  const Extrusion settings{.along = parse_vector("--along", o.along), .crease = degrees(o.crease)};
+  const std::vector<PolygonInput> inputs = read_inputs(o);
+  const Regions regions = normalised(rings_of(joined(inputs)), fill_rule(o));
+  if (regions.empty()) throw Error("extrude: the polygons enclose nothing");
+  return write_solid(o, extrude(regions, settings));
+}
+
+int run_revolve(const RevolveOptions& o) {
+  const Revolution settings{.origin = parse_vector("--origin", o.origin),
+                            .axis = parse_vector("--axis", o.axis),
+                            .reference = parse_vector("--reference", o.reference),
+                            .start = degrees(o.start),
+                            .sweep = degrees(o.sweep),
+                            .steps = o.steps,
+                            .crease = degrees(o.crease)};
+  const std::vector<PolygonInput> inputs = read_inputs(o);
+  TriangleMesh mesh;
+  for (const Feature& feature : joined(inputs).features) {
+    for (const Region& region : normalised(rings_of(feature), fill_rule(o))) append(mesh, revolve(region, settings));
+    for (const Path& line : feature.lines) append(mesh, revolve(in_space(line), settings));
+  }
+  if (mesh.triangles.empty()) throw Error("revolve: expected polygons that enclose something, or lines");
+  return write_solid(o, mesh);
+}
+
+}  // namespace
+
+std::function<int()> add_extrude(CLI::App& app) {
+  static ExtrudeOptions options;
+  add_input_options(app, options);
+  app.add_option("--along", options.along, "Where to move the polygon, X,Y,Z")->capture_default_str();
+  app.add_option("--crease", options.crease, "Sides that turn by fewer degrees look smooth")->capture_default_str();
+  add_solid_outputs(app, options);
+  app.footer("A closed prism with caps, normals and texture coordinates.");
+  return [] { return run_extrude(options); };
+}
+
+std::function<int()> add_revolve(CLI::App& app) {
+  static RevolveOptions options;
+  add_input_options(app, options);
+  app.add_option("--axis", options.axis, "Direction of the axis, X,Y,Z")->capture_default_str();
+  app.add_option("--origin", options.origin, "A point of the axis")->capture_default_str();
+  app.add_option("--reference", options.reference, "Where the x of a polygon points at the start")
+      ->capture_default_str();
+  app.add_option("--sweep", options.sweep, "Degrees to turn by")->capture_default_str();
+  app.add_option("--start", options.start, "Degrees to start at")->capture_default_str();
+  app.add_option("--steps", options.steps, "Positions around")->capture_default_str();
+  app.add_option("--crease", options.crease, "Strips that turn by fewer degrees look smooth")->capture_default_str();
+  add_solid_outputs(app, options);
+  app.footer(
+      "Of a polygon, x is the distance from the axis and y the height: a solid. A line, which may have a third\n"
+      "coordinate, leaves a surface where it is.");
+  return [] { return run_revolve(options); };
+}
+
+}  // namespace lambert::cli

@@ -1,0 +1,19 @@
+#pragma once
+#include "lambert/polygon/picture/drawing.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace lambert::polygon {
+
+/// sRGB pixels without alpha, row 0 at the top.
+struct Pixels {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+/// The drawing on white, each pixel the mean of 4 x 4 sample points. Marks with a coordinate that is not finite are
+/// left out. At most 8192 pixels a side, where larger drawings end.
+Pixels rasterised(const Drawing& drawing);
+
+}  // namespace lambert::polygon
