@@ -350,5 +350,26 @@ class Pictures(Polygon):
         self.assertEqual(done.stdout.split(), [str(self.folder / "r.wkt"), str(self.folder / "p.svg")])
 
 
+class Guide(CommandLineTest):
+    PAGE = SOURCE / "docs" / "guide" / "polygon.md"
+
+    def test_every_command_prints_what_the_page_says(self):
+        commands = re.findall(r"^    \$ (.*lambert polygon .*)\n((?:    [^$\n].*\n)*)", self.PAGE.read_text(), re.M)
+        self.assertGreater(len(commands), 10)
+        for command, printed in commands:
+            with self.subTest(command=command):
+                done = subprocess.run(command.replace("lambert polygon", f"'{PROGRAM}' polygon", 1), shell=True, cwd=EXAMPLES,
+                                      capture_output=True, text=True)
+                self.assertEqual(done.stderr + done.stdout, re.sub("^    ", "", printed, flags=re.M))
+
+    def test_the_program_is_the_one_that_is_built(self):
+        program = (SOURCE / "tests" / "examples" / "polygon_example.cpp").read_text()
+        self.assertIn("```cpp\n" + program + "```", self.PAGE.read_text())
+
+    def test_pictures_are_there(self):
+        for picture in re.findall(r"\]\((polygon/[^)]+)\)", self.PAGE.read_text()):
+            self.assertTrue((self.PAGE.parent / picture).exists(), picture)
+
+
 if __name__ == "__main__":
     main()
