@@ -7,6 +7,7 @@ import base64
 import gzip
 import json
 import pathlib
+import random
 import struct
 import zlib
 
@@ -306,9 +307,17 @@ def pbrts():
     write("pbrt/bad-cut.pbrt.gz", gzip.compress(world(sphere).encode(), mtime=0)[:-12])
 
 
+def polygons():
+    """Operands as tests/stress/boolean_case.h decodes them: fill rule, kind of coordinates, grid, scale, then rings."""
+    random.seed(3)
+    for kind, name in enumerate(["grid", "offset", "steps", "anywhere", "noise", "mixed"]):
+        write(f"polygon/{name}.bytes", bytes([0, kind, 3, 0]) + bytes(random.randrange(256) for _ in range(96)))
+
+
 if __name__ == "__main__":
     images()
     gltfs()
     objs()
     plys()
     pbrts()
+    polygons()
