@@ -7,6 +7,7 @@ import base64
 import gzip
 import json
 import pathlib
+import random
 import struct
 import zlib
 
@@ -366,6 +367,13 @@ def polygons():
     bad("binary.txt", bytes(range(1, 256)))
 
 
+def booleans():
+    """Operands as tests/stress/boolean_case.h decodes them: fill rule, kind of coordinates, grid, scale, then rings."""
+    random.seed(3)
+    for kind, name in enumerate(["grid", "offset", "steps", "anywhere", "noise", "mixed"]):
+        write(f"boolean/{name}.bytes", bytes([0, kind, 3, 0]) + bytes(random.randrange(256) for _ in range(96)))
+
+
 if __name__ == "__main__":
     images()
     gltfs()
@@ -373,3 +381,4 @@ if __name__ == "__main__":
     plys()
     pbrts()
     polygons()
+    booleans()

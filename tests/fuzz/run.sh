@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# usage: tests/fuzz/run.sh BUILD_FOLDER SECONDS: shares SECONDS among the readers, starting from tests/corpora.
+# usage: tests/fuzz/run.sh BUILD_FOLDER SECONDS: shares SECONDS among the readers and the booleans of polygons, starting from tests/corpora.
 set -euo pipefail
 build=$1 seconds=$2
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-readers=(gltf pbrt obj ply image polygon_file)
+readers=(gltf pbrt obj ply image polygon_file boolean)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 for reader in "${readers[@]}"; do

@@ -73,34 +73,74 @@ BoxTree::BoxTree(const Outline& outline) {
     }
   }
 
-  const std::size_t count = runs_.size();
-  boxes_.reserve(2 * count + 40);
-  for (const Run& run : runs_) boxes_.push_back(box_of(p[run.first], p[run.last]));
-  level_start_ = {0, static_cast<std::uint32_t>(count)};
-  for (std::size_t begin = 0, end = count; end - begin > 1;) {
-    for (std::size_t i = begin; i < end; i += 2) {
-      const Box a = boxes_[i], b = i + 1 < end ? boxes_[i + 1] : a;
-      boxes_.push_back({{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
-                        {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}});
-    }
-    begin = end;
-    end = boxes_.size();
-    level_start_.push_back(static_cast<std::uint32_t>(end));
+  std::size_t count = runs_.size();
+  std::vector<FourBoxes>& leaves = levels_.emplace_back((count + 3) / 4);
+  for (std::size_t i = 0; i < count; ++i)
+    leaves[i / 4].set(static_cast<std::uint32_t>(i % 4), box_of(p[runs_[i].first], p[runs_[i].last]));
+  while (levels_.back().size() > 1) {
+    count = levels_.back().size();
+    std::vector<FourBoxes> parents((count + 3) / 4);
+    for (std::size_t i = 0; i < count; ++i)
+      parents[i / 4].set(static_cast<std::uint32_t>(i % 4), levels_.back()[i].hull());
+    levels_.push_back(std::move(parents));
   }
+  whole_ = levels_.back().front().hull();
+}
+
+Box FourBoxes::hull() const {
+  const auto least = [](const double(&x)[4]) { return std::min(std::min(x[0], x[1]), std::min(x[2], x[3])); };
+  const auto most = [](const double(&x)[4]) { return std::max(std::max(x[0], x[1]), std::max(x[2], x[3])); };
+  return {{least(low_x), least(low_y)}, {most(high_x), most(high_y)}};
+}
+
+bool BoxTree::find_pairs(std::size_t most, std::vector<Pair>& pairs) const {
+  struct Meeting {
+    std::uint32_t level, i, j;  // nodes whose boxes meet
+  };
+  std::vector<Meeting> stack;
+  std::size_t compared = 0;
+  const auto add = [&](std::uint32_t level, std::uint32_t i, std::uint32_t j) {
+    if (level > 0) {
+      stack.push_back({level, i, j});
+    } else if (j != i + 1 || !runs_[j].continues) {
+      pairs.push_back({i, j});
+    }
+  };
+  for (std::uint32_t level = 0; level < levels_.size(); ++level) {
+    for (std::uint32_t four = 0; four < levels_[level].size(); ++four) {
+      const FourBoxes& siblings = levels_[level][four];
+      for (std::uint32_t a = 0; a < 3; ++a) {
+        for (unsigned hit = siblings.meeting(siblings.box(a)) >> (a + 1) << (a + 1); hit != 0; hit &= hit - 1)
+          add(level, 4 * four + a, 4 * four + static_cast<std::uint32_t>(std::countr_zero(hit)));
+      }
+      while (!stack.empty()) {
+        const Meeting m = stack.back();
+        stack.pop_back();
+        const FourBoxes &left = levels_[m.level - 1][m.i], &right = levels_[m.level - 1][m.j];
+        compared += 4;
+        for (std::uint32_t a = 0; a < 4; ++a) {
+          for (unsigned hit = right.meeting(left.box(a)); hit != 0; hit &= hit - 1)
+            add(m.level - 1, 4 * m.i + a, 4 * m.j + static_cast<std::uint32_t>(std::countr_zero(hit)));
+        }
+      }
+      if (pairs.size() > most || compared > 4 * most) return false;
+    }
+  }
+  return true;
 }
 
 double BoxTree::expected_pairs() const {
-  if (runs_.empty()) return 0;
   double width = 0, height = 0;
-  for (std::size_t i = 0; i < runs_.size(); ++i) {
-    width += boxes_[i].high.x - boxes_[i].low.x;
-    height += boxes_[i].high.y - boxes_[i].low.y;
+  for (std::uint32_t i = 0; i < runs_.size(); ++i) {
+    const Box b = box(i);
+    width += b.high.x - b.low.x;
+    height += b.high.y - b.low.y;
   }
   const auto share = [](double length, double all) { return all > 0 ? std::min(1.0, length / all) : 1.0; };
   const auto count = static_cast<double>(runs_.size());
   // Two boxes of sizes w, h meet where their corners differ by less than that both ways.
-  return 0.5 * count * count * share(2 * width / count, whole().high.x - whole().low.x) *
-         share(2 * height / count, whole().high.y - whole().low.y);
+  return 0.5 * count * count * share(2 * width / count, whole_.high.x - whole_.low.x) *
+         share(2 * height / count, whole_.high.y - whole_.low.y);
 }
 
 }  // namespace lambert::polygon::arrangement

@@ -45,9 +45,9 @@ class Parts {
 
 }  // namespace
 
-Network::Network(const Outline& outline, const BoxTree& tree, const std::vector<Mark>& marks)
+Network::Network(const Outline& outline, const BoxTree& tree, const Marks& marks)
     : outline_(outline), tree_(tree), marks_(marks) {
-  const std::size_t expected = marks.size() + outline.ring_count();
+  const std::size_t expected = marks.all.size() + outline.ring_count();
   table_.assign(std::bit_ceil(2 * expected + 1), none);
   nodes_.reserve(expected);
   ways_.reserve(expected);
@@ -82,8 +82,8 @@ void Network::make_ways() {
     const std::uint32_t start_node = node_at(outline_.points[first]);
     std::uint32_t from = start_node, begin = first + 1;
     std::uint64_t start = std::uint64_t{first} << 32;
-    for (; m < marks_.size() && marks_[m].edge < last; ++m) {
-      const Mark& mark = marks_[m];
+    for (; m < marks_.all.size() && marks_.all[m].edge < last; ++m) {
+      const Mark& mark = marks_.all[m];
       const bool is_vertex = mark.point == outline_.points[mark.edge];
       if (is_vertex && mark.edge == first) continue;
       const std::uint32_t node = node_at(mark.point);
@@ -181,14 +181,15 @@ Network::Below Network::way_below(Vec2d v, Accept accept) const {
   tree_.visit_below(v, [&](std::uint32_t i) {
     const Run& run = tree_.runs()[i];
     for (std::uint32_t e = run.first; e < run.last; ++e) {
-      if (std::max(p[e].x, p[e + 1].x) < v.x || std::min(p[e].x, p[e + 1].x) > v.x) continue;
-      const auto [begin, end] = inner_marks(outline_, marks_, e);
+      const Box box = box_of(p[e], p[e + 1]);
+      if (box.high.x < v.x || v.x < box.low.x || v.y < box.low.y || box.high.y < reached) continue;
       Vec2d from = p[e];
-      for (std::size_t m = begin; m < end; ++m) {
-        consider(from, marks_[m].point, e, m - begin);
-        from = marks_[m].point;
+      std::size_t before = 0;
+      for (const Mark& mark : marks_.inside_of(e, from)) {
+        consider(from, mark.point, e, before++);
+        from = mark.point;
       }
-      consider(from, p[e + 1], e, end - begin);
+      consider(from, p[e + 1], e, before);
     }
     return reached;
   });

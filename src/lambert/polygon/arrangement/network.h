@@ -23,7 +23,7 @@ class Network {
  public:
   /// `marks` as find_marks gives them. O(n + k log k), and for each connected part a search in the tree for what lies
   /// below.
-  Network(const Outline& outline, const BoxTree& tree, const std::vector<Mark>& marks);
+  Network(const Outline& outline, const BoxTree& tree, const Marks& marks);
 
   Regions select(const Selection& selection) const;
 
@@ -54,7 +54,7 @@ class Network {
 
   const Outline& outline_;
   const BoxTree& tree_;
-  const std::vector<Mark>& marks_;
+  const Marks& marks_;
   std::vector<Vec2d> nodes_;
   std::vector<std::uint32_t> table_;  // nodes by the hash of their point, open addressing
   std::vector<Way> ways_;
