@@ -99,7 +99,7 @@ SamplerSettings sampler_settings(const RenderSettings& s, Vec2i resolution, std:
 /// Passes of equal sample counts over all pixels.
 Film render_uniform(PassContext context, Film film, const RenderSettings& settings, Run& run, double& first_seconds) {
   const auto in_all = static_cast<std::uint32_t>(settings.samples_per_pixel);
-  for (std::uint32_t done = 0; done < in_all && !run.stopped();) {
+  for (std::uint32_t done = 0; done < in_all && !(done == 0 ? run.interrupted() : run.stopped());) {
     const std::uint32_t target = next_target(done, in_all, settings.pass_size);
     sample_tiles(
         context, film, [&](Vec2i) { return target; },
