@@ -66,6 +66,7 @@ void Film::add(Vec2i pixel, const FilmSample& sample) {
   const double y = w * luminance_of(static_cast<double>(sample.radiance.r), static_cast<double>(sample.radiance.g),
                                     static_cast<double>(sample.radiance.b));
   p.luminance_squared += y * y;
+  p.unweighted += sample.radiance;
   ++p.count;
 
   if (features_.empty() || sample.features.object == 0) return;
@@ -79,8 +80,8 @@ void Film::add(Vec2i pixel, const FilmSample& sample) {
 
 Rgb Film::mean(Vec2i pixel) const {
   const Pixel& p = pixels_[index(pixel)];
-  // Weights have mean 1 but either sign: after few samples of a filter with negative lobes their sum may vanish.
-  if (p.count == 0 || !(p.weight > 0.1 * p.count)) return {};
+  if (p.count == 0) return {};
+  if (!p.has_weight()) return p.unweighted / static_cast<float>(p.count);
   return {static_cast<float>(p.r / p.weight), static_cast<float>(p.g / p.weight), static_cast<float>(p.b / p.weight)};
 }
 
@@ -104,11 +105,15 @@ Film Film::average(const Film& a, const Film& b) {
     Pixel& p = film.pixels_[i];
     p.count = pa.count + pb.count;
     p.weight = p.count;
+    const double share = pa.count > 0 && pb.count > 0 ? 0.5 : 1;
     // Sums as they would be if every sample of a half had that half's share, so that mean and variance read as usual.
     const auto add_half = [&](const Pixel& half) {
-      if (!(half.weight > 0)) return;
-      const double scale = 0.5 * p.count / half.weight;
-      p.r += scale * half.r, p.g += scale * half.g, p.b += scale * half.b;
+      if (half.count == 0) return;
+      const bool weighted = half.has_weight();
+      const double scale = share * p.count / (weighted ? half.weight : half.count);
+      p.r += scale * (weighted ? half.r : static_cast<double>(half.unweighted.r));
+      p.g += scale * (weighted ? half.g : static_cast<double>(half.unweighted.g));
+      p.b += scale * (weighted ? half.b : static_cast<double>(half.unweighted.b));
       p.luminance_squared += scale * scale * half.luminance_squared;
     };
     add_half(pa), add_half(pb);

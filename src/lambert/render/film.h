@@ -53,12 +53,14 @@ class Film {
   /// Not thread-safe for one pixel; different pixels may be added to from different threads.
   void add(Vec2i pixel, const FilmSample& sample);
   std::uint32_t sample_count(Vec2i pixel) const { return pixels_[index(pixel)].count; }
+  /// By the filter's weights; where those of a few samples cancel, without them. Black where there is no sample.
   Rgb mean(Vec2i pixel) const;
   /// Of the mean's luminance, from the spread of the samples; infinite for fewer than 2.
   double variance_of_mean(Vec2i pixel) const;
   std::uint64_t total_samples() const;
 
-  /// The mean of two films of the same size, half each, whatever their sample counts.
+  /// The mean of two films of the same size, half each, whatever their sample counts; of one alone where the other has
+  /// nothing.
   static Film average(const Film& a, const Film& b);
 
   /// R, G, B and the layers asked for, cropped; black where nothing was sampled.
@@ -69,7 +71,11 @@ class Film {
     double r = 0, g = 0, b = 0;
     double weight = 0;
     double luminance_squared = 0;  // of weighted samples
+    Rgb unweighted{0.0f};          // the sum without the filter's weights
     std::uint32_t count = 0;
+
+    /// Weights have mean 1 but either sign: after few samples of a filter with negative lobes their sum may vanish.
+    bool has_weight() const { return weight > 0.1 * count; }
   };
   struct FeatureSums {
     Rgb albedo;

@@ -29,6 +29,11 @@ class Run {
     report(false);
     return !stopped();
   }
+  /// In the first pass, which leaves no pixel black however short the time.
+  bool keep_going_without_limit() {
+    report(false);
+    return !interrupted();
+  }
   bool stopped() const { return interrupted() || out_of_time(); }
   bool interrupted() const { return stop_.stop_requested(); }
   bool out_of_time() const { return settings_.time_limit_seconds > 0 && elapsed() >= settings_.time_limit_seconds; }
@@ -66,9 +71,10 @@ class Run {
   double next_report_ = 0;
 };
 
-/// Samples per pixel after the pass that follows `done`: first pictures soon, then passes long enough to be efficient.
+/// Samples per pixel after the pass that follows `done`: first one everywhere, then passes long enough to be efficient.
 std::uint32_t next_target(std::uint32_t done, std::uint32_t in_all, int pass_size) {
-  const std::uint32_t step = pass_size > 0 ? static_cast<std::uint32_t>(pass_size) : std::clamp(done, 1u, 16u);
+  const std::uint32_t efficient = pass_size > 0 ? static_cast<std::uint32_t>(pass_size) : std::clamp(done, 1u, 16u);
+  const std::uint32_t step = done == 0 ? 1 : efficient;
   return done + std::min(step, in_all - done);
 }
 
@@ -85,16 +91,19 @@ PixelRect checked_crop(const RenderSettings& settings, Vec2i resolution) {
 }
 
 SamplerSettings sampler_settings(const RenderSettings& s, Vec2i resolution, std::uint64_t seed) {
-  return {s.sampler, static_cast<std::uint32_t>(s.samples_per_pixel), seed, resolution};
+  // With a time limit nobody knows how many samples there will be: strata and sequences come in rounds.
+  const int round = s.time_limit_seconds > 0 ? std::min(s.samples_per_pixel, 256) : s.samples_per_pixel;
+  return {s.sampler, static_cast<std::uint32_t>(round), seed, resolution};
 }
 
 /// Passes of equal sample counts over all pixels.
 Film render_uniform(PassContext context, Film film, const RenderSettings& settings, Run& run, double& first_seconds) {
   const auto in_all = static_cast<std::uint32_t>(settings.samples_per_pixel);
-  for (std::uint32_t done = 0; done < in_all && !run.stopped();) {
+  for (std::uint32_t done = 0; done < in_all && !(done == 0 ? run.interrupted() : run.stopped());) {
     const std::uint32_t target = next_target(done, in_all, settings.pass_size);
     sample_tiles(
-        context, film, [&](Vec2i) { return target; }, [&] { return run.keep_going(); });
+        context, film, [&](Vec2i) { return target; },
+        [&] { return done == 0 ? run.keep_going_without_limit() : run.keep_going(); });
     if (done == 0) first_seconds = run.elapsed();
     done = target;
   }
@@ -108,9 +117,10 @@ Film render_adaptive(PassContext context, const Film& empty, const RenderSetting
   Film a = empty, b = empty;
   PassContext context_b = context;
   context_b.sampler.seed = mix_bits(context.sampler.seed ^ 0x68616c66ull);
-  const auto half = static_cast<std::uint32_t>((settings.samples_per_pixel + 1) / 2);
+  const auto half = static_cast<std::uint32_t>(std::max(1, settings.samples_per_pixel / 2));
   const std::uint32_t pilot = std::min(half, pilot_samples);
-  const auto go = [&] { return run.keep_going(); };
+  bool first = true;
+  const auto go = [&] { return first ? run.keep_going_without_limit() : run.keep_going(); };
   const auto both = [&](std::uint32_t limit, const SampleMap* map_a, const SampleMap* map_b) {
     sample_tiles(
         context, a, [&](Vec2i p) { return map_a ? std::min(limit, map_a->at(p)) : limit; }, go);
@@ -118,6 +128,7 @@ Film render_adaptive(PassContext context, const Film& empty, const RenderSetting
         context_b, b, [&](Vec2i p) { return map_b ? std::min(limit, map_b->at(p)) : limit; }, go);
   };
   both(1, nullptr, nullptr);
+  first = false;
   first_seconds = run.elapsed();
   both(pilot, nullptr, nullptr);
   if (run.stopped()) return Film::average(a, b);
@@ -138,8 +149,10 @@ Film render_adaptive(PassContext context, const Film& empty, const RenderSetting
 RenderResult render(const Scene& scene, const Camera& camera, Method& method, const RenderSettings& settings,
                     const ProgressSink& progress, std::stop_token stop) {
   if (settings.samples_per_pixel < 1) throw Error("samples per pixel must be at least 1");
-  if (settings.target_error < 0 || settings.time_limit_seconds < 0)
-    throw Error("limits of error and time cannot be negative");
+  if (!(settings.target_error >= 0 && settings.time_limit_seconds >= 0))
+    throw Error("limits of error and time must be numbers of at least 0");
+  if (settings.target_error > 0 && settings.samples_per_pixel < 2)
+    throw Error("a target error needs at least 2 samples per pixel, to judge by their difference");
   const PixelRect crop = checked_crop(settings, camera.resolution);
   Film film(camera.resolution, crop, settings.aovs);
   const FilterSampler filter(settings.filter);

@@ -11,14 +11,14 @@ namespace lambert {
 
 struct RenderSettings {
   int samples_per_pixel = 64;     ///< at most, per pixel
-  double time_limit_seconds = 0;  ///< 0: none
+  double time_limit_seconds = 0;  ///< 0: none; one sample of each pixel is taken in any case
   double target_error = 0;        ///< relative standard error of a pixel at which it is done; 0: not adaptive
   std::uint64_t seed = 0;
   SamplerKind sampler = SamplerKind::sobol;
   FilterSettings filter;
   std::optional<PixelRect> crop;
   std::vector<Aov> aovs;
-  int pass_size = 0;  ///< samples per pixel and pass; 0: 1, 1, 2, 4, 8, 16, 16 …
+  int pass_size = 0;  ///< samples per pixel and pass after a first pass of 1; 0: 1, 1, 2, 4, 8, 16, 16 …
 };
 
 struct RenderStatistics {

@@ -57,8 +57,8 @@ TEST_F(RenderTest, TakesTheSamplesAskedFor) {
 
 TEST_F(RenderTest, RefusesSettingsOutOfRange) {
   EXPECT_EQ(error({.samples_per_pixel = 0}), "samples per pixel must be at least 1");
-  EXPECT_EQ(error({.time_limit_seconds = -1}), "limits of error and time cannot be negative");
-  EXPECT_EQ(error({.target_error = -0.1}), "limits of error and time cannot be negative");
+  EXPECT_EQ(error({.time_limit_seconds = -1}), "limits of error and time must be numbers of at least 0");
+  EXPECT_EQ(error({.target_error = -0.1}), "limits of error and time must be numbers of at least 0");
   for (const PixelRect& crop :
        {PixelRect{{0, 0}, {21, 5}}, PixelRect{{-1, 0}, {5, 5}}, PixelRect{{5, 5}, {5, 8}}, PixelRect{{0, 9}, {5, 8}}})
     EXPECT_EQ(error({.crop = crop}), "the crop window must be a non-empty part of the image (20x18)");
@@ -98,6 +98,19 @@ TEST_F(RenderTest, TheTimeLimitHolds) {
     EXPECT_LT(r.statistics.seconds, 2) << "generous: the machine may be busy";
     EXPECT_FALSE(r.statistics.interrupted) << "the limit is no interruption";
     EXPECT_GT(r.film.total_samples(), 0u);
+  }
+}
+
+TEST_F(RenderTest, NoPixelIsBlackHoweverShortTheTime) {
+  for (const double error : {0.0, 0.1}) {
+    Noise slow(20);
+    const RenderResult r =
+        render(scene, camera, slow,
+               {.samples_per_pixel = 1000000, .time_limit_seconds = 1e-9, .target_error = error, .pass_size = 100000});
+    int black = 0;
+    for (int y = 0; y < camera.resolution.y; ++y)
+      for (int x = 0; x < camera.resolution.x; ++x) black += r.film.sample_count({x, y}) == 0;
+    EXPECT_EQ(black, 0) << "target error " << error;
   }
 }
 

@@ -15,6 +15,9 @@ T parse_number(const Setting& s, std::string_view value, const char* kind) {
   const auto [end, status] = std::from_chars(value.data(), value.data() + value.size(), number);
   if (status != std::errc() || end != value.data() + value.size())
     throw Error("setting '" + s.key + "': expected " + kind + ", got '" + std::string(value) + "'");
+  if (s.least && number < static_cast<T>(*s.least))
+    throw Error("setting '" + s.key + "': expected " + kind + " of at least " + std::to_string(*s.least) + ", got '" +
+                std::string(value) + "'");
   return number;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Settings of methods by name, as `--set key=value` and the browser view give them.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +16,7 @@ struct Setting {
   std::string help;
   std::variant<int*, float*, bool*, std::string*> target;
   std::vector<std::string> choices = {};  ///< allowed words; empty: any
+  std::optional<int> least = {};          ///< of a number
 };
 
 /// The settings of one method.

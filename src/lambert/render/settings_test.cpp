@@ -29,6 +29,19 @@ std::string error_of(const std::function<void()>& action) {
   return "no error";
 }
 
+TEST(SettingTable, RefusesNumbersBelowTheLeast) {
+  int count = 5;
+  float share = 0.5f;
+  SettingTable table({{"count", "", &count, {}, 1}, {"share", "", &share, {}, 0}});
+  EXPECT_EQ(error_of([&] { table.set("count", "0"); }),
+            "setting 'count': expected a whole number of at least 1, got '0'");
+  EXPECT_EQ(error_of([&] { table.set("share", "-0.1"); }),
+            "setting 'share': expected a number of at least 0, got '-0.1'");
+  EXPECT_EQ(count, 5);
+  table.set("count", "1"), table.set("share", "0");
+  EXPECT_EQ(count, 1);
+}
+
 TEST(SettingTable, WritesThroughToTheStruct) {
   Example e;
   SettingTable table = e.table();

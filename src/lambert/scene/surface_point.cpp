@@ -1,6 +1,7 @@
 #include "lambert/base/hash.h"
 #include "lambert/scene/compiled.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lambert {
@@ -82,7 +83,8 @@ void fill_from_shape(SurfacePoint& point, const CompiledSurface& s, const Ray& r
   // Once more in the shape's space, from nearby: the first hit's t may be far along the ray.
   const Transform to_object = s.to_world.inverse();
   const Vec3 near_hit = ray.at(hit.t);
-  const float step = 1e-3f * (1 + length(near_hit));
+  // Not from before the ray's own start: it may lie inside a shape that is smaller than the step.
+  const float step = std::min(1e-3f * (1 + length(near_hit)), hit.t);
   const Ray close{near_hit - step * ray.direction, ray.direction};
   const auto again = std::visit([&](const auto& shape) { return shape.intersect(to_object.ray(close)); }, *s.shape);
   point.position = again && again->t < 2 * step ? close.at(again->t) : near_hit;

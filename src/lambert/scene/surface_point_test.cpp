@@ -131,6 +131,19 @@ TEST(SurfacePoint, WithoutCoordinatesTheBarycentricOnesStand) {
 }
 
 // From 10,000 away t is good to a thousandth only; the point is still on the surface.
+// The chord is shorter than the step back from which shapes are met once more.
+TEST(SurfacePoint, FromInsideSmallShapesAndThoseFarAway) {
+  for (const auto& [place, radius] : {std::pair(Vec3(0), 4e-4f), {Vec3(3000, 0, 0), 1.0f}, {Vec3(0, 0, -1e4f), 2.0f}}) {
+    const Scene scene =
+        placed(Shape(Sphere{.radius = radius, .z_min = -radius, .z_max = radius}), Transform::translate(place), false);
+    const Vec3 direction = normalize(Vec3(1, 2, -0.5f));
+    const auto p = seen(scene, {place - 0.9f * radius * direction, direction});
+    ASSERT_TRUE(p);
+    EXPECT_NEAR(length(p->position - (place + radius * direction)) / radius, 0, 2e-3f) << place.x << ' ' << radius;
+    EXPECT_GT(dot(p->ng, direction), 0.99f);
+  }
+}
+
 TEST(SurfacePoint, IsOnTheSurfaceSeenFromAfar) {
   Random random(4);
   for (const Geometry& geometry : {Geometry(Shape(Sphere{})), Geometry(rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}))}) {

@@ -40,6 +40,41 @@ TEST(Absorption, IsThatOfLengthsInTheWorld) {
   EXPECT_NEAR(path_mean(scene, straight(), no_roulette).mean.g, std::exp(-0.5f), 2e-3f);
 }
 
+// A mirror inside: the way in and the way out, to the mirror and back, are absorbed, and so is what a lamp inside
+// sends.
+TEST(Absorption, UpToWhatStandsInside) {
+  const float sigma = 0.8f;
+  const Material gas{.model = DielectricMaterial{.eta = 1.0001f}, .absorption = Rgb(sigma)};
+  const ConductorMaterial mirror{.reflectance = {Rgb(1)}, .use_reflectance = true};
+  for (const bool lamp : {false, true}) {
+    SceneGraph graph;
+    graph.add_surface(0, {.geometry = graph.add_geometry(Shape(Sphere{})), .material = graph.materials.add(gas)});
+    Surface core{.geometry = graph.add_geometry(box(Vec3(-0.25f), Vec3(0.25f))),
+                 .material = graph.materials.add({.model = mirror})};
+    if (lamp) core.emission = Emission{.radiance = {Rgb(3)}};
+    graph.add_surface(0, core);
+    if (!lamp) graph.add_light(EnvironmentLight(Rgb(1)));
+    const Rgb mean = path_mean(compile(std::move(graph)), straight(), no_roulette).mean;
+    EXPECT_NEAR(mean.g, lamp ? 3 * std::exp(-0.75f * sigma) : std::exp(-1.5f * sigma), 4e-3f) << "lamp " << lamp;
+  }
+}
+
+// A diffuse core, lit through light sampling by a lamp that stands inside the same body, at distance about 0.6.
+TEST(Absorption, OnTheWayToASampledLight) {
+  const auto seen = [](Rgb sigma) {
+    SceneGraph graph;
+    const MaterialId gas = graph.materials.add({.model = DielectricMaterial{.eta = 1.0001f}, .absorption = sigma});
+    const MaterialId grey = graph.materials.add({.model = DiffuseMaterial{RgbParameter{Rgb(0.5f)}}});
+    graph.add_surface(0, {.geometry = graph.add_geometry(Shape(Sphere{})), .material = gas});
+    graph.add_surface(0,
+                      {.geometry = graph.add_geometry(box({-0.2f, -0.2f, -0.2f}, {0.2f, 0.2f, 0})), .material = grey});
+    graph.add_light(PointLight{.position = {0, 0, 0.6f}, .intensity = Rgb(1)});
+    return path_mean(compile(std::move(graph)), straight(), no_roulette, 16).mean.g;
+  };
+  // From the lamp 0.6, and 1 from the core to the sphere.
+  EXPECT_NEAR(seen(Rgb(0.7f)) / seen(Rgb(0)), std::exp(-0.7f * 1.6f), 3e-3f);
+}
+
 // glTF's transmission with KHR_materials_volume.
 TEST(Absorption, InsideGltfVolumes) {
   GltfMaterial glass{.metallic = {0}, .roughness = {0}, .ior = 1.0001f, .transmission = {1}, .thin_walled = false};

@@ -10,13 +10,22 @@ MethodInfo PathMethod::info() const {
 
 SettingTable PathMethod::settings() {
   return SettingTable({
-      {"max-depth", "most scattering events of a path; 0: emission alone, 1: direct light", &settings_.max_depth},
-      {"roulette-depth", "scattering events before Russian roulette may end a path", &settings_.roulette_depth},
+      {"max-depth",
+       "most scattering events of a path; 0: emission alone, 1: direct light",
+       &settings_.max_depth,
+       {},
+       0},
+      {"roulette-depth", "scattering events before Russian roulette may end a path", &settings_.roulette_depth, {}, 0},
       {"roulette-threshold",
        "throughput below which paths survive with a probability, and to which survivors are raised",
-       &settings_.roulette_threshold},
-      {"clamp", "largest component of a contribution after the first bounce; 0: off (clamping biases)",
-       &settings_.clamp},
+       &settings_.roulette_threshold,
+       {},
+       0},
+      {"clamp",
+       "largest component of a contribution after the first bounce; 0: off (clamping biases)",
+       &settings_.clamp,
+       {},
+       0},
   });
 }
 

@@ -4,6 +4,7 @@
 #include "lambert/base/hash.h"
 #include "lambert/material/normal_map.h"
 #include "lambert/material/spectrum.h"
+#include "lambert/render/path/bodies.h"
 #include "lambert/sampling/mis.h"
 #include "lambert/sampling/roulette.h"
 
@@ -30,7 +31,8 @@ constexpr int long_path = 16;  // scattering events
 /// A surface point made ready for scattering.
 struct Vertex {
   const SurfacePoint& point;
-  Vec3 wo;  // towards the previous vertex
+  Vec3 wo;         // towards the previous vertex
+  Rgb absorption;  // behind the surface
   Frame frame;
   Bsdf bsdf;
 
@@ -58,6 +60,7 @@ class PathTracer {
         break;
       }
       const SurfacePoint point = scene_.surface_point(ray_, hit);
+      if (!bodies_.empty()) absorb(bodies_.absorption(), hit.t);
       add_emission(point);
       if (depth_ == settings_.max_depth && !(want_features && depth_ == 0)) break;
       const Vertex v = prepare(point, hit.t);
@@ -82,6 +85,10 @@ class PathTracer {
       if (largest > settings_.clamp) contribution *= settings_.clamp / largest;
     }
     result_.radiance += contribution;
+  }
+
+  void absorb(Rgb sigma, float distance) {
+    if (!is_black(sigma)) throughput_ *= exp(sigma * -distance);
   }
 
   bool found_only_by_scattering() const { return depth_ == 0 || specular_; }
@@ -124,8 +131,8 @@ class PathTracer {
       id = materials.resolve(id, scene_.textures(), context.at, hash_values(point.position, wo, point.primitive));
     const Material& material = materials[id];
 
-    const bool inside = dot(wo, point.ng) < 0;
-    if (inside && !is_black(material.absorption)) throughput_ *= exp(material.absorption * -distance);
+    // A path that began inside a body learns of it here.
+    if (bodies_.empty() && dot(wo, point.ng) < 0) absorb(material.absorption, distance);
     if (wavelength_ == 0 && is_dispersive(material)) {
       wavelength_ = sample_wavelength(at(wavelength_dimension).next2().x);
       throughput_ *= wavelength_rgb(wavelength_);
@@ -133,6 +140,7 @@ class PathTracer {
     context.wavelength_nm = wavelength_;
     return {.point = point,
             .wo = wo,
+            .absorption = material.absorption,
             .frame = shading_frame(material, scene_.textures(), context.at, point.ng, point.ns, point.tangent,
                                    point.bitangent_sign, wo),
             .bsdf = make_bsdf(material, scene_.textures(), context)};
@@ -161,7 +169,30 @@ class PathTracer {
     if (is_black(f) || !visible(v, *sample)) return;
     const float pdf_light = choice.probability * sample->pdf_omega;
     const float weight = sample->delta ? 1.0f : power_heuristic(pdf_light, v.bsdf.pdf(wo, wi));
-    add(throughput_ * f * sample->radiance * (weight / pdf_light));
+    Rgb radiance = sample->radiance;
+    if (const Rgb sigma = absorption_towards(v, sample->wi); !is_black(sigma))
+      radiance *= exp(sigma * -sample->distance);
+    add(throughput_ * f * radiance * (weight / pdf_light));
+  }
+
+  /// Of the body into which `direction` leads from the vertex.
+  Rgb absorption_towards(const Vertex& v, Vec3 direction) const {
+    const float out = dot(direction, v.point.ng);
+    if (out * dot(v.wo, v.point.ng) > 0) return bodies_.absorption();
+    if (out < 0) return v.absorption;
+    Bodies after = bodies_;
+    after.leave(v.point.surface);
+    return after.absorption();
+  }
+
+  /// A surface that does not refract may be a sheet: it counts as a body's only if that absorbs.
+  void pass_through(const Vertex& v, const BsdfSample& sample, Vec3 direction) {
+    if (sample.eta == 1 && is_black(v.absorption)) return;
+    if (dot(direction, v.point.ng) < 0) {
+      bodies_.enter(v.point.surface, v.absorption);
+    } else {
+      bodies_.leave(v.point.surface);
+    }
   }
 
   bool visible(const Vertex& v, const LightSample& sample) {
@@ -193,10 +224,13 @@ class PathTracer {
     pdf_omega_ = sample->pdf;
     specular_ = sample->specular;
     previous_position_ = v.point.position, previous_normal_ = v.frame.n;
-    if (sample->transmitted) eta_scale_ *= sample->eta * sample->eta;
+    const Vec3 direction = v.frame.to_world(sample->wi);
+    if (sample->transmitted) {
+      eta_scale_ *= sample->eta * sample->eta;
+      pass_through(v, *sample, direction);
+    }
 
     cone_.width = cone_.at(distance);
-    const Vec3 direction = v.frame.to_world(sample->wi);
     const float time = ray_.time;
     ray_ = Ray{v.offset_origin(direction), direction};
     ray_.time = time;
@@ -226,6 +260,7 @@ class PathTracer {
 
   Rgb throughput_{1.0f};
   float eta_scale_ = 1;
+  Bodies bodies_;
   float wavelength_ = 0;  // 0 until dispersion is met
 
   // How the present ray was found.
