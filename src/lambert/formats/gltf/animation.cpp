@@ -1,8 +1,8 @@
 #include "lambert/formats/gltf/animation.h"
 
 #include "lambert/base/error.h"
-#include "lambert/formats/gltf/hierarchy.h"
 #include "lambert/base/number.h"
+#include "lambert/formats/gltf/hierarchy.h"
 
 #include <algorithm>
 #include <span>

@@ -64,8 +64,7 @@ class SceneReader {
     const std::string name = json["name"].text("node " + std::to_string(index));
     const NodeId node = graph_.add_node(parent, name, Transform(hierarchy_.pose(index).local()));
     const Mat4& world = hierarchy_.world(index);
-    if (json["camera"])
-      graph_.add_camera(read_camera(document_.referred("cameras", json["camera"]), world));
+    if (json["camera"]) graph_.add_camera(read_camera(document_.referred("cameras", json["camera"]), world));
     if (const JsonView reference = json.extension("KHR_lights_punctual")["light"]) {
       const JsonView light = referred(document_.root().extension("KHR_lights_punctual"), "lights", reference);
       if (auto read = read_light(light, world, document_.notes)) graph_.add_light(*std::move(read));

@@ -1,7 +1,7 @@
 #include "lambert/formats/gltf/instancing.h"
 
-#include "lambert/formats/gltf/hierarchy.h"
 #include "lambert/base/number.h"
+#include "lambert/formats/gltf/hierarchy.h"
 
 namespace lambert::gltf {
 

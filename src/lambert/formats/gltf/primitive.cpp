@@ -1,8 +1,8 @@
 #include "lambert/formats/gltf/primitive.h"
 
+#include "lambert/base/number.h"
 #include "lambert/formats/gltf/topology.h"
 #include "lambert/formats/gltf/vertices.h"
-#include "lambert/base/number.h"
 
 #include <algorithm>
 #include <utility>

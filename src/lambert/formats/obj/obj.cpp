@@ -1,5 +1,5 @@
-#include "lambert/formats/input_file.h"
 #include "lambert/base/number.h"
+#include "lambert/formats/input_file.h"
 #include "lambert/formats/obj/lines.h"
 #include "lambert/formats/obj/mesh_builder.h"
 #include "lambert/formats/obj/mtl_material.h"

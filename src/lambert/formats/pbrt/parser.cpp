@@ -1,7 +1,7 @@
 #include "lambert/formats/pbrt/parser.h"
 
-#include "lambert/formats/input_file.h"
 #include "lambert/base/number.h"
+#include "lambert/formats/input_file.h"
 #include "lambert/formats/pbrt/directives.h"
 #include "lambert/formats/pbrt/old_syntax.h"
 

@@ -1,7 +1,7 @@
 #include "lambert/formats/pbrt/spectra.h"
 
-#include "lambert/formats/input_file.h"
 #include "lambert/base/number.h"
+#include "lambert/formats/input_file.h"
 #include "lambert/formats/pbrt/illuminants.h"
 
 #include <algorithm>
