@@ -367,7 +367,7 @@ class Guide(CommandLineTest):
         self.assertIn("```cpp\n" + program + "```", self.PAGE.read_text())
 
     def test_pictures_are_there(self):
-        for picture in re.findall(r"\]\((polygon/[^)]+)\)", self.PAGE.read_text()):
+        for picture in re.findall(r"\]\((polygon/[^) ]+)[^)]*\)", self.PAGE.read_text()):
             self.assertTrue((self.PAGE.parent / picture).exists(), picture)
 
 
