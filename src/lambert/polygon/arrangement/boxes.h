@@ -33,7 +33,7 @@ inline Box common_part(const Box& a, const Box& b) {
 /// vertices, and their box is that of the first and the last point.
 struct Run {
   std::uint32_t first, last, ring;
-  bool continues;  ///< the run before, without turning back in x or y
+  bool apart;  ///< follows the run before it in the tree, and meets it in the common vertex alone
 };
 
 /// The boxes of four siblings, side by side for vector instructions; missing ones meet nothing.
@@ -76,7 +76,7 @@ class BoxTree {
     std::uint32_t i, j;
   };
 
-  /// All pairs of runs i < j whose boxes meet, but those that just continue each other; false when that would be more
+  /// All pairs of runs i < j whose boxes meet, but those that are just `apart`; false when that would be more
   /// than `most` pairs or take more than four times so many comparisons of four boxes with one.
   bool find_pairs(std::size_t most, std::vector<Pair>& pairs) const;
 
