@@ -9,8 +9,9 @@ namespace {
 
 constexpr int most_rounds = 4;
 
-/// Pairs of runs to look at, for each edge; the sweep is faster than more.
-constexpr double most_pairs = 8;
+/// Pairs of runs to look at, for each edge; the sweep is faster than more. They are hardly fewer than expected of boxes
+/// that lie about at random, and often more.
+constexpr double most_pairs = 8, most_expected = 4;
 
 /// Between two marks of an edge, or between one and an end of it.
 struct Part {
@@ -250,7 +251,7 @@ std::span<const Mark> Marks::inside_of(std::uint32_t edge, Vec2d start) const {
 }
 
 std::optional<Marks> find_marks(const Outline& outline, const BoxTree& tree) {
-  if (tree.expected_pairs() > most_pairs * static_cast<double>(outline.points.size())) return {};
+  if (tree.expected_pairs() > most_expected * static_cast<double>(outline.points.size())) return {};
   Finder finder(outline, tree);
   if (!finder.find_all()) return {};
   return finder.take();
