@@ -1,7 +1,11 @@
 #include "families.h"
+#include "lambert/polygon/boolean.h"
+#include "lambert/polygon/valid.h"
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
 
 namespace lambert::bench {
 namespace {
@@ -42,7 +46,36 @@ class Topology {
   std::vector<Ring> arcs_;
 };
 
+/// Every edge in `pieces`, their ends moved sideways by up to `rough` of their length.
+Ring refined(const Ring& ring, std::size_t pieces, double rough, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(-rough, rough);
+  Ring finer;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2d a = ring[i], step = (ring[polygon::next_index(i, ring.size())] - a) / static_cast<double>(pieces);
+    finer.push_back(a);
+    for (std::size_t j = 1; j < pieces; ++j)
+      finer.push_back(a + static_cast<double>(j) * step + uniform(random) * Vec2d(-step.y, step.x));
+  }
+  return finer;
+}
+
 }  // namespace
+
+Rings refined_land(const std::vector<Rings>& countries, std::size_t edges) {
+  Rings together;
+  for (const Rings& rings : countries) together.insert(together.end(), rings.begin(), rings.end());
+  Rings land;
+  for (const polygon::Region& region : polygon::normalised(together, polygon::FillRule::non_zero))
+    land.push_back(region.outer);
+  const std::size_t pieces = std::max<std::size_t>(1, edges / edge_count(land));
+  std::mt19937_64 random(5);
+  for (Ring& ring : land) {
+    const Ring finer = refined(ring, pieces, 0.3, random);
+    // A sharp corner may have crossed itself.
+    ring = polygon::check_valid({{finer, {}}}) ? refined(ring, pieces, 0, random) : finer;
+  }
+  return land;
+}
 
 std::vector<Rings> countries(const std::string& file) {
   std::vector<Rings> result;

@@ -29,4 +29,7 @@ std::size_t edge_count(const polygon::Rings& rings);
 /// The outlines of countries in world-atlas, one Rings a country; empty when the file is not there.
 std::vector<polygon::Rings> countries(const std::string& file);
 
+/// The outer rings of their union, every edge cut into displaced ones until there are about `edges`; valid.
+polygon::Rings refined_land(const std::vector<polygon::Rings>& countries, std::size_t edges);
+
 }  // namespace lambert::bench

@@ -3,6 +3,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_set_2.h>
+#include <algorithm>
 #include <iterator>
 #include <memory>
 
@@ -12,11 +13,21 @@ namespace {
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using PolygonSet = CGAL::Polygon_set_2<Kernel>;
 
+PolygonSet::Polygon_2 polygon_of(const polygon::Ring& ring) {
+  PolygonSet::Polygon_2 polygon;
+  for (const Vec2d p : ring) polygon.push_back({p.x, p.y});
+  return polygon;
+}
+
+bool all_simple(const polygon::Rings& rings) {
+  return std::all_of(rings.begin(), rings.end(),
+                     [](const polygon::Ring& ring) { return polygon_of(ring).is_simple(); });
+}
+
 PolygonSet set_of(const polygon::Rings& rings) {
   std::vector<PolygonSet::Polygon_2> polygons;
   for (const polygon::Ring& ring : rings) {
-    PolygonSet::Polygon_2& polygon = polygons.emplace_back();
-    for (const Vec2d p : ring) polygon.push_back({p.x, p.y});
+    PolygonSet::Polygon_2& polygon = polygons.emplace_back(polygon_of(ring));
     if (polygon.is_clockwise_oriented()) polygon.reverse_orientation();
   }
   PolygonSet set;
@@ -64,6 +75,8 @@ class CgalOperands final : public Operands {
 
 Peer cgal_peer() {
   return {"cgal", [](const polygon::Rings& subject, const polygon::Rings& clip) -> std::unique_ptr<Operands> {
+            // What is not simple ends the process.
+            if (!all_simple(subject) || !all_simple(clip)) return nullptr;
             return std::make_unique<CgalOperands>(subject, clip);
           }};
 }

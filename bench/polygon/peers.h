@@ -26,6 +26,7 @@ class Operands {
 
 struct Peer {
   std::string name;
+  /// Null when the library cannot take the operands.
   std::unique_ptr<Operands> (*prepare)(const polygon::Rings& subject, const polygon::Rings& clip);
 };
 

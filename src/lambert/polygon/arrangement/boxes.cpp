@@ -50,25 +50,39 @@ std::vector<std::uint32_t> ring_order(const Outline& outline) {
   return order;
 }
 
+/// Whether two edges in succession, a to b and b to c, let the monotone parts around b meet in b alone: when both go
+/// the same way in x, the one before lies left of b and the one after right of it, or the other way round, and on the
+/// vertical through b there is no more of one of them; or so in y.
+bool parts_at(Vec2d a, Vec2d b, Vec2d c, unsigned before, unsigned after) {
+  const bool right = (before & 0b0101U) != 0 && (after & 0b0101U) != 0,
+             left = (before & 0b1010U) != 0 && (after & 0b1010U) != 0;
+  const bool up = (before & 0b0011U) != 0 && (after & 0b0011U) != 0,
+             down = (before & 0b1100U) != 0 && (after & 0b1100U) != 0;
+  return ((right || left) && (a.x != b.x || b.x != c.x)) || ((up || down) && (a.y != b.y || b.y != c.y));
+}
+
 }  // namespace
 
 BoxTree::BoxTree(const Outline& outline) {
   const Vec2d* const p = outline.points.data();
-  runs_.reserve(outline.points.size() / 4);
+  std::vector<std::uint8_t> fitting(outline.points.size());
+  for (std::size_t i = 0; i + 1 < fitting.size(); ++i)
+    fitting[i] = static_cast<std::uint8_t>(quadrants(p[i], p[i + 1]));
+  runs_.reserve(outline.points.size() / 2);
   for (const std::uint32_t ring : ring_order(outline)) {
-    const std::uint32_t end = outline.starts[ring + 1] - 1;
-    unsigned fits = 0;
-    for (std::uint32_t first = outline.starts[ring]; first < end;) {
-      const unsigned before = fits;
-      std::uint32_t last = first;
-      fits = 0b1111;
-      const std::uint32_t limit = std::min(end, first + longest_run);
-      for (; last < limit; ++last) {
-        const unsigned edge = quadrants(p[last], p[last + 1]);
-        if ((fits & edge) == 0) break;
-        fits &= edge;
+    const std::uint32_t begin = outline.starts[ring], end = outline.starts[ring + 1] - 1;
+    unsigned before = 0;
+    for (std::uint32_t first = begin; first < end;) {
+      unsigned fits = fitting[first];
+      std::uint32_t last = first + 1;
+      for (const std::uint32_t limit = std::min(end, first + longest_run); last < limit; ++last) {
+        const unsigned common = fits & fitting[last];
+        if (common == 0) break;
+        fits = common;
       }
-      runs_.push_back({first, last, ring, (before & fits) != 0});
+      runs_.push_back(
+          {first, last, ring, first > begin && parts_at(p[first - 1], p[first], p[first + 1], before, fits)});
+      before = fits;
       first = last;
     }
   }
@@ -102,7 +116,7 @@ bool BoxTree::find_pairs(std::size_t most, std::vector<Pair>& pairs) const {
   const auto add = [&](std::uint32_t level, std::uint32_t i, std::uint32_t j) {
     if (level > 0) {
       stack.push_back({level, i, j});
-    } else if (j != i + 1 || !runs_[j].continues) {
+    } else if (j != i + 1 || !runs_[j].apart) {
       pairs.push_back({i, j});
     }
   };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -33,7 +34,7 @@ inline Box common_part(const Box& a, const Box& b) {
 /// vertices, and their box is that of the first and the last point.
 struct Run {
   std::uint32_t first, last, ring;
-  bool continues;  ///< the run before, without turning back in x or y
+  bool apart;  ///< follows the run before it in the tree, and meets it in the common vertex alone
 };
 
 /// The boxes of four siblings, side by side for vector instructions; missing ones meet nothing.
@@ -53,10 +54,17 @@ struct FourBoxes {
 
   /// Bit i tells whether box i meets the given one.
   unsigned meeting(const Box& b) const {
-    std::int64_t hit[4];
-    for (int i = 0; i < 4; ++i)
-      hit[i] = (low_x[i] <= b.high.x) & (b.low.x <= high_x[i]) & (low_y[i] <= b.high.y) & (b.low.y <= high_y[i]);
-    return static_cast<unsigned>(hit[0] | hit[1] << 1 | hit[2] << 2 | hit[3] << 3);
+    // Vectors of GCC and Clang; the loop over four comparisons does not become one by itself.
+    using Doubles [[gnu::vector_size(32)]] = double;
+    using Bits [[gnu::vector_size(32)]] = std::int64_t;
+    const auto load = [](const double* from) {
+      Doubles all;
+      std::memcpy(&all, from, sizeof all);
+      return all;
+    };
+    const Bits hit = (load(low_x) <= b.high.x) & (load(high_x) >= b.low.x) & (load(low_y) <= b.high.y) &
+                     (load(high_y) >= b.low.y) & Bits{1, 2, 4, 8};
+    return static_cast<unsigned>((hit[0] | hit[1]) | (hit[2] | hit[3]));
   }
 };
 
@@ -76,7 +84,7 @@ class BoxTree {
     std::uint32_t i, j;
   };
 
-  /// All pairs of runs i < j whose boxes meet, but those that just continue each other; false when that would be more
+  /// All pairs of runs i < j whose boxes meet, but those that are just `apart`; false when that would be more
   /// than `most` pairs or take more than four times so many comparisons of four boxes with one.
   bool find_pairs(std::size_t most, std::vector<Pair>& pairs) const;
 

@@ -8,6 +8,9 @@ namespace lambert::polygon::arrangement {
 
 Loop loop_of(const Boundary& boundary, std::span<const std::uint32_t> arcs, Ring& scratch) {
   scratch.clear();
+  std::size_t expected = 0;
+  for (const std::uint32_t i : arcs) expected += 1 + boundary.arcs[i].end - boundary.arcs[i].begin;
+  scratch.reserve(expected);
   const Vec2d* const points = boundary.points.data();
   for (const std::uint32_t i : arcs) {
     const Arc& arc = boundary.arcs[i];

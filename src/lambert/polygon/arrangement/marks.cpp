@@ -9,8 +9,9 @@ namespace {
 
 constexpr int most_rounds = 4;
 
-/// Pairs of runs to look at, for each edge; the sweep is faster than more.
-constexpr double most_pairs = 8;
+/// Pairs of runs to look at, for each edge; the sweep is faster than more. They are hardly fewer than expected of boxes
+/// that lie about at random, and often more.
+constexpr double most_pairs = 8, most_expected = 4;
 
 /// Between two marks of an edge, or between one and an end of it.
 struct Part {
@@ -167,16 +168,24 @@ class Finder {
 
   void check_parts() {
     for (const BoxTree::Pair pair : pairs_) {
-      if (!changed_[pair.i] && !changed_[pair.j]) continue;
-      const Run &r = runs_[pair.i], &s = runs_[pair.j];
-      work_ += (r.last - r.first) * (s.last - s.first);
-      for (std::uint32_t e = r.first; e < r.last; ++e) {
-        const Box box = box_of(p_[e], p_[e + 1]);
-        for (std::uint32_t f = s.first; f < s.last; ++f) {
-          if (!changed_edges_[e] && !changed_edges_[f]) continue;
-          const Box other = box_of(p_[f], p_[f + 1]);
-          if (box.meets(other)) check_edges(e, pair.i, f, pair.j, common_part(box, other));
-        }
+      if (changed_[pair.i] || changed_[pair.j]) check_runs(pair);
+    }
+    // Those that met in a vertex alone can do so in more only when rounding has moved both to the border of their
+    // boxes.
+    for (std::uint32_t j = 1; j < tree_.runs().size(); ++j) {
+      if (runs_[j].apart && (changed_[j - 1] || changed_[j])) check_runs({j - 1, j});
+    }
+  }
+
+  void check_runs(BoxTree::Pair pair) {
+    const Run &r = runs_[pair.i], &s = runs_[pair.j];
+    work_ += (r.last - r.first) * (s.last - s.first);
+    for (std::uint32_t e = r.first; e < r.last; ++e) {
+      const Box box = box_of(p_[e], p_[e + 1]);
+      for (std::uint32_t f = s.first; f < s.last; ++f) {
+        if (!changed_edges_[e] && !changed_edges_[f]) continue;
+        const Box other = box_of(p_[f], p_[f + 1]);
+        if (box.meets(other)) check_edges(e, pair.i, f, pair.j, common_part(box, other));
       }
     }
   }
@@ -242,7 +251,7 @@ std::span<const Mark> Marks::inside_of(std::uint32_t edge, Vec2d start) const {
 }
 
 std::optional<Marks> find_marks(const Outline& outline, const BoxTree& tree) {
-  if (tree.expected_pairs() > most_pairs * static_cast<double>(outline.points.size())) return {};
+  if (tree.expected_pairs() > most_expected * static_cast<double>(outline.points.size())) return {};
   Finder finder(outline, tree);
   if (!finder.find_all()) return {};
   return finder.take();

@@ -119,34 +119,46 @@ void Network::make_spokes() {
   }
   for (std::uint32_t node = 0; node < count; ++node) {
     sort_spokes(node);
-    merge_same(node);
+    merge_same();
   }
 }
 
 /// Counter-clockwise, from straight down, which itself comes last.
 void Network::sort_spokes(std::uint32_t node) {
   const Vec2d centre = nodes_[node];
-  const auto earlier = [&](Spoke s, Spoke t) {
-    const Vec2d a = direction(s), b = direction(t);
-    const bool a_left = smaller(a, centre), b_left = smaller(b, centre);
-    if (a_left != b_left) return b_left;
-    return orientation(centre, a, b) > 0;
+  const auto earlier = [&](const DirectedSpoke& s, const DirectedSpoke& t) {
+    return s.is_left != t.is_left ? t.is_left : orientation(centre, s.towards, t.towards) > 0;
   };
-  std::sort(spokes_.begin() + spoke_start_[node], spokes_.begin() + spoke_start_[node + 1], earlier);
+  directed_.clear();
+  for (std::uint32_t i = spoke_start_[node]; i < spoke_start_[node + 1]; ++i) {
+    const Vec2d towards = direction(spokes_[i]);
+    directed_.push_back({towards, spokes_[i], smaller(towards, centre)});
+  }
+  if (directed_.size() <= 8) {
+    for (std::size_t i = 1; i < directed_.size(); ++i) {
+      const DirectedSpoke spoke = directed_[i];
+      std::size_t at = i;
+      for (; at > 0 && earlier(spoke, directed_[at - 1]); --at) directed_[at] = directed_[at - 1];
+      directed_[at] = spoke;
+    }
+  } else {
+    std::sort(directed_.begin(), directed_.end(), earlier);
+  }
+  for (std::size_t i = 0; i < directed_.size(); ++i) spokes_[spoke_start_[node] + i] = directed_[i].spoke;
 }
 
 /// Ways that leave in the same direction are one edge, the same for all.
-void Network::merge_same(std::uint32_t node) {
-  const std::uint32_t begin = spoke_start_[node], end = spoke_start_[node + 1];
-  for (std::uint32_t i = begin, j = begin; i < end; i = j) {
-    const Vec2d towards = direction(spokes_[i]);
-    std::uint32_t first = spokes_[i].way;
-    for (j = i + 1; j < end && direction(spokes_[j]) == towards; ++j) first = std::min(first, spokes_[j].way);
+void Network::merge_same() {
+  for (std::size_t i = 0, j = 0; i < directed_.size(); i = j) {
+    std::uint32_t first = directed_[i].spoke.way;
+    for (j = i + 1; j < directed_.size() && directed_[j].towards == directed_[i].towards; ++j)
+      first = std::min(first, directed_[j].spoke.way);
     if (j == i + 1) continue;
     Way& way = ways_[first];
-    for (std::uint32_t k = i; k < j; ++k) {
-      Way& other = ways_[spokes_[k].way];
-      if (spokes_[k].way == first || other.same != none) continue;
+    for (std::size_t k = i; k < j; ++k) {
+      const std::uint32_t index = directed_[k].spoke.way;
+      Way& other = ways_[index];
+      if (index == first || other.same != none) continue;
       other.same = first;
       way.delta = way.delta + (other.from == way.from ? other.delta : -other.delta);
       other.delta = {};
@@ -233,6 +245,7 @@ void Network::wind() {
   std::sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return smaller(a.point, b.point); });
 
   wound_.assign(ways_.size(), false);
+  node_wound_.assign(nodes_.size(), false);
   bool first = true;
   for (const Start& start : starts) {
     Winding outside;
@@ -264,37 +277,41 @@ void Network::wind() {
 }
 
 void Network::wind_from(std::uint32_t start) {
-  std::vector<std::uint32_t> open{start};
+  open_.assign(1, start);
   wound_[start] = true;
-  while (!open.empty()) {
-    const std::uint32_t way = open.back();
-    open.pop_back();
-    wind_around(ways_[way].from, open);
-    wind_around(ways_[way].to, open);
+  while (!open_.empty()) {
+    const std::uint32_t way = open_.back();
+    open_.pop_back();
+    wind_around(ways_[way].from);
+    wind_around(ways_[way].to);
   }
 }
 
 /// Between spokes the winding is constant.
-void Network::wind_around(std::uint32_t node, std::vector<std::uint32_t>& open) {
-  const std::uint32_t begin = spoke_start_[node], count = spoke_start_[node + 1] - begin;
-  std::uint32_t known = 0;
-  while (!wound_[spokes_[begin + known].way]) ++known;
+void Network::wind_around(std::uint32_t node) {
+  if (node_wound_[node]) return;
+  node_wound_[node] = true;
+  const std::uint32_t begin = spoke_start_[node], end = spoke_start_[node + 1];
+  std::uint32_t known = begin;
+  while (!wound_[spokes_[known].way]) ++known;
   const auto after = [&](Spoke spoke) {
     const Way& way = ways_[spoke.way];
     return spoke.leaves ? left(way) : way.right;
   };
-  Winding between = after(spokes_[begin + known]);
-  for (std::uint32_t i = 1; i < count; ++i) {
-    const Spoke spoke = spokes_[begin + (known + i) % count];
+  Winding between = after(spokes_[known]);
+  const auto pass = [&](std::uint32_t i) {
+    const Spoke spoke = spokes_[i];
     Way& way = ways_[spoke.way];
-    if (way.delta == Winding{}) continue;
+    if (way.delta == Winding{}) return;
     if (!wound_[spoke.way]) {
       wound_[spoke.way] = true;
       way.right = spoke.leaves ? between : between - way.delta;
-      open.push_back(spoke.way);
+      open_.push_back(spoke.way);
     }
     between = after(spoke);
-  }
+  };
+  for (std::uint32_t i = known + 1; i < end; ++i) pass(i);
+  for (std::uint32_t i = begin; i < known; ++i) pass(i);
 }
 
 Regions Network::select(const Selection& selection) const {

@@ -32,6 +32,11 @@ class Network {
     std::uint32_t way;
     bool leaves;
   };
+  struct DirectedSpoke {
+    Vec2d towards;
+    Spoke spoke;
+    bool is_left;  // smaller than the node
+  };
   struct Below {
     std::uint32_t way = none;
     bool leftwards = false;  // the way runs from right to left there
@@ -42,10 +47,10 @@ class Network {
   void add_way(std::uint32_t from, std::uint32_t to, std::uint32_t begin, std::uint32_t end, std::uint64_t start);
   void make_spokes();
   void sort_spokes(std::uint32_t node);
-  void merge_same(std::uint32_t node);
+  void merge_same();
   void wind();
   void wind_from(std::uint32_t way);
-  void wind_around(std::uint32_t node, std::vector<std::uint32_t>& open);
+  void wind_around(std::uint32_t node);
   Vec2d direction(Spoke spoke) const;
   Winding left(const Way& way) const { return way.right + way.delta; }
   template <typename Accept>
@@ -60,7 +65,9 @@ class Network {
   std::vector<Way> ways_;
   std::vector<std::uint32_t> spoke_start_;
   std::vector<Spoke> spokes_;
-  std::vector<bool> wound_;
+  std::vector<DirectedSpoke> directed_;   // of the node at hand
+  std::vector<bool> wound_, node_wound_;  // ways and nodes whose windings are known
+  std::vector<std::uint32_t> open_;       // ways whose ends are yet to be looked at
 };
 
 }  // namespace lambert::polygon::arrangement

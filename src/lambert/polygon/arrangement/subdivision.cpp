@@ -53,6 +53,7 @@ double largest_coordinate(const Outline& outline) {
 Subdivision subdivide(const Outline& outline) {
   Subdivision result{pieces_of(outline)};
   Grid grid = outline.grid;
+  Sweep sweep(outline, result.pieces);
   for (;; ++result.rounds) {
     const double tolerance =
         result.rounds < free_rounds ? 0 : std::min(std::ldexp(1.0, result.rounds - free_rounds - 51), 0x1p-40);
@@ -61,12 +62,10 @@ Subdivision subdivide(const Outline& outline) {
       grid = Grid(std::exp2(std::floor(std::log2(quantum))));
       snap(result.pieces, grid);
     }
-    Sweep sweep(outline, grid, tolerance, result.pieces);
-    if (sweep.run()) {
+    if (sweep.run(grid, tolerance)) {
       result.nodes = sweep.node_count();
       return result;
     }
-    for (Piece& piece : result.pieces) piece = {piece.a, piece.b, piece.line, piece.delta, {}};
   }
 }
 

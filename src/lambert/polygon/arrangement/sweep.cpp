@@ -17,27 +17,45 @@ constexpr auto later = [](const auto& a, const auto& b) { return before(b.point,
 
 }  // namespace
 
-void Sweep::push(std::vector<Event>& heap, Vec2d point, std::uint32_t piece) {
-  heap.push_back({point, piece});
-  std::push_heap(heap.begin(), heap.end(), later);
+void Sweep::push(const Event& event) {
+  events_.push_back(event);
+  std::push_heap(events_.begin(), events_.end(), later);
 }
 
-Sweep::Event Sweep::pop(std::vector<Event>& heap) {
-  std::pop_heap(heap.begin(), heap.end(), later);
-  const Event event = heap.back();
-  heap.pop_back();
-  return event;
-}
-
-bool Sweep::run() {
+bool Sweep::run(const Grid& grid, double tolerance) {
+  grid_ = grid;
+  tolerance_ = tolerance;
+  moved_ = false;
+  nodes_ = 0;
+  next_in_order_ = next_slot_ = 0;
+  status_.clear();
+  started_.clear();
   order_.resize(pieces_.size());
   std::iota(order_.begin(), order_.end(), 0U);
-  std::sort(order_.begin(), order_.end(),
-            [&](std::uint32_t i, std::uint32_t j) { return before(pieces_[i].a, pieces_[j].a); });
+  // After a pass they are nearly always in order.
+  const auto starts_before = [&](std::uint32_t i, std::uint32_t j) { return before(pieces_[i].a, pieces_[j].a); };
+  if (!std::is_sorted(order_.begin(), order_.end(), starts_before))
+    std::sort(order_.begin(), order_.end(), starts_before);
+  sort_ends();
   place_.assign(pieces_.size(), none);
   while (next_point()) handle_point();
   finish();
   return !moved_;
+}
+
+void Sweep::sort_ends() {
+  if (ended_.size() == pieces_.size()) {
+    owner_.swap(ended_);
+  } else {
+    owner_.resize(pieces_.size());
+    std::iota(owner_.begin(), owner_.end(), 0U);
+  }
+  ended_.clear();
+  const auto ends_before = [&](std::uint32_t i, std::uint32_t j) { return before(pieces_[i].b, pieces_[j].b); };
+  if (!std::is_sorted(owner_.begin(), owner_.end(), ends_before)) std::sort(owner_.begin(), owner_.end(), ends_before);
+  sorted_slots_ = owner_.size();
+  slot_.resize(pieces_.size());
+  for (std::uint32_t slot = 0; slot < owner_.size(); ++slot) slot_[owner_[slot]] = slot;
 }
 
 bool Sweep::next_point() {
@@ -47,40 +65,49 @@ bool Sweep::next_point() {
     any = true;
   };
   if (next_in_order_ < order_.size()) consider(pieces_[order_[next_in_order_]].a);
-  if (!starts_.empty()) consider(starts_.front().point);
-  if (!ends_.empty()) consider(ends_.front().point);
+  if (next_slot_ < sorted_slots_) consider(pieces_[owner_[next_slot_]].b);
+  if (!events_.empty()) consider(events_.front().point);
   return any;
 }
 
 void Sweep::handle_point() {
-  collect_ending();
-  collect_starting();
-  if (ending_.empty() && starting_.empty()) return;  // all were cut shorter meanwhile
+  collect();
+  if (ending_.empty() && starting_.empty()) return;  // all that ended here has merged into other pieces
   find_neighbours();
   absorb_touching();
   for (const std::uint32_t piece : ending_) {
     pieces_[piece].to = nodes_;
     status_.erase(place_[piece]);
     place_[piece] = none;
+    ended_.push_back(piece);
   }
   order_starting();
   insert_starting();
   ++nodes_;
 }
 
-void Sweep::collect_ending() {
-  ending_.clear();
-  while (!ends_.empty() && ends_.front().point == point_) {
-    const std::uint32_t piece = pop(ends_).piece;
-    if (place_[piece] != none && pieces_[piece].b == point_) ending_.push_back(piece);
-  }
+void Sweep::collect_end(std::uint32_t slot) {
+  if (slot == none) return;
+  const std::uint32_t piece = owner_[slot];
+  if (place_[piece] != none && pieces_[piece].b == point_) ending_.push_back(piece);
 }
 
-void Sweep::collect_starting() {
+void Sweep::collect() {
+  ending_.clear();
   starting_.clear();
+  for (; next_slot_ < sorted_slots_ && pieces_[owner_[next_slot_]].b == point_; ++next_slot_)
+    collect_end(static_cast<std::uint32_t>(next_slot_));
   for (; next_in_order_ < order_.size() && pieces_[order_[next_in_order_]].a == point_; ++next_in_order_)
     starting_.push_back(order_[next_in_order_]);
-  while (!starts_.empty() && starts_.front().point == point_) starting_.push_back(pop(starts_).piece);
+  while (!events_.empty() && events_.front().point == point_) {
+    std::pop_heap(events_.begin(), events_.end(), later);
+    const Event event = events_.back();
+    events_.pop_back();
+    for (const std::uint32_t slot : event.ends) collect_end(slot);
+    for (const std::uint32_t piece : event.starts) {
+      if (piece != none) starting_.push_back(piece);
+    }
+  }
 }
 
 /// The places around those that end here; they are contiguous unless rounding has spoilt the order in this pass.
@@ -132,15 +159,24 @@ void Sweep::absorb_touching() {
   while (above_ != none && pieces_[status_.item(above_)].b == point_) above_ = status_.above(above_);
 }
 
-void Sweep::cut_at_point(std::uint32_t piece) {
+/// Lets a piece end at p, in a slot of its own, and returns what is left of it, which ends where the piece did.
+std::uint32_t Sweep::cut_off(std::uint32_t piece, Vec2d p) {
   const Piece old = pieces_[piece];
-  if (old.b == point_ || old.a == point_) return;
-  pieces_[piece].b = point_;
-  ending_.push_back(piece);
   const auto rest = static_cast<std::uint32_t>(pieces_.size());
-  pieces_.push_back({point_, old.b, old.line, old.delta, {}});
+  pieces_.push_back({p, old.b, old.line, old.delta, {}});
+  pieces_[piece].b = p;
   place_.push_back(none);
-  starting_.push_back(rest);
+  slot_.push_back(slot_[piece]);
+  owner_[slot_[piece]] = rest;
+  slot_[piece] = static_cast<std::uint32_t>(owner_.size());
+  owner_.push_back(piece);
+  return rest;
+}
+
+void Sweep::cut_at_point(std::uint32_t piece) {
+  if (pieces_[piece].b == point_ || pieces_[piece].a == point_) return;
+  starting_.push_back(cut_off(piece, point_));
+  ending_.push_back(piece);
 }
 
 /// By slope; what starts in the same direction is merged as far as the shorter one goes.
@@ -153,12 +189,13 @@ void Sweep::order_starting() {
   std::size_t kept = 0;
   for (const std::uint32_t piece : starting_) {
     if (kept > 0 && orientation(point_, pieces_[starting_[kept - 1]].b, pieces_[piece].b) == 0) {
-      Piece& shorter = pieces_[starting_[kept - 1]];
-      const Piece longer = pieces_[piece];
-      shorter.delta = shorter.delta + longer.delta;
-      shorter.line = std::min(shorter.line, longer.line);
-      pieces_[piece].delta = {};
-      if (shorter.b != longer.b) add_later(shorter.b, longer.b, longer.line, longer.delta);
+      const std::uint32_t shorter = starting_[kept - 1];
+      const Vec2d end = pieces_[shorter].b;
+      if (end != pieces_[piece].b) push({end, {none, none}, {cut_off(piece, end), none}});
+      Piece &into = pieces_[shorter], &from = pieces_[piece];
+      into.delta = into.delta + from.delta;
+      into.line = std::min(into.line, from.line);
+      from.delta = {};
     } else {
       starting_[kept++] = piece;
     }
@@ -180,7 +217,7 @@ void Sweep::insert_starting() {
     }
     p.from = nodes_;
     at = place_[piece] = status_.insert_above(at, piece);
-    push(ends_, p.b, piece);
+    started_.push_back(piece);
   }
   const std::uint32_t low = below_ == none ? none : status_.item(below_);
   const std::uint32_t high = above_ == none ? none : status_.item(above_);
@@ -227,41 +264,48 @@ void Sweep::cut_crossing(std::uint32_t low, std::uint32_t high) {
   Vec2d q = crossing_of_parts({l.a, l.b}, {h.a, h.b}, {p[l.line], p[l.line + 1]}, {p[h.line], p[h.line + 1]});
   q = grid_(q);
   if (tolerance_ > 0) q = snap_to_end(q, {l.a, l.b}, {h.a, h.b});
-  cut(low, q);
-  cut(high, q);
+  Event event{q, {none, none}, {none, none}};
+  cut(low, event, 0);
+  cut(high, event, 1);
+  if (event.starts[0] != none || event.starts[1] != none) push(event);
 }
 
-void Sweep::cut(std::uint32_t piece, Vec2d p) {
-  const Piece old = pieces_[piece];
+void Sweep::cut(std::uint32_t piece, Event& event, int which) {
+  const Piece& old = pieces_[piece];
+  const Vec2d p = event.point;
   if (p == old.a || p == old.b) return;
   if (!before(point_, p) || !before(p, old.b)) {
     late_cuts_.push_back({piece, p});
     return;
   }
-  pieces_[piece].b = p;
-  push(ends_, p, piece);
-  add_later(p, old.b, old.line, old.delta);
+  event.starts[which] = cut_off(piece, p);
+  event.ends[which] = slot_[piece];
 }
 
-void Sweep::add_later(Vec2d a, Vec2d b, std::uint32_t line, Winding delta) {
-  const auto piece = static_cast<std::uint32_t>(pieces_.size());
-  pieces_.push_back({a, b, line, delta, {}});
-  place_.push_back(none);
-  push(starts_, a, piece);
-}
-
+/// Leaves the pieces in the order of the next sweep.
 void Sweep::finish() {
+  if (!moved_) return;
+  std::vector<Piece> sorted;
+  sorted.reserve(started_.size() + late_cuts_.size());
+  std::vector<std::uint32_t>& place_of = place_;
+  for (const std::uint32_t piece : started_) {
+    place_of[piece] = static_cast<std::uint32_t>(sorted.size());
+    const Piece& p = pieces_[piece];
+    sorted.push_back({p.a, p.b, p.line, p.delta, {}});
+  }
+  for (std::uint32_t& piece : ended_) piece = place_of[piece];
   for (const Cut& cut : late_cuts_) {
-    const Piece old = pieces_[cut.piece];
+    const Piece old = sorted[place_of[cut.piece]];
     const auto part = [&](Vec2d a, Vec2d b) {
       return before(a, b) ? Piece{a, b, old.line, old.delta, {}} : Piece{b, a, old.line, -old.delta, {}};
     };
     // The piece may have been cut shorter meanwhile.
     if (cut.point == old.a || cut.point == old.b || !in_box({old.a, old.b}, cut.point)) continue;
-    pieces_[cut.piece] = part(old.a, cut.point);
-    pieces_.push_back(part(cut.point, old.b));
+    sorted[place_of[cut.piece]] = part(old.a, cut.point);
+    sorted.push_back(part(cut.point, old.b));
   }
-  if (moved_) std::erase_if(pieces_, [](const Piece& piece) { return piece.delta == Winding{}; });
+  late_cuts_.clear();
+  pieces_.swap(sorted);
 }
 
 }  // namespace lambert::polygon::arrangement
