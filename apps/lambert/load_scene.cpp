@@ -5,7 +5,6 @@
 #include "lambert/formats/read_scene.h"
 #include "lambert/image/io.h"
 #include "lambert/scene/cornell_box.h"
-#include "lambert/scene/scene.h"
 
 #include <fmt/format.h>
 
@@ -34,11 +33,11 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
   app.add_option("--variant", options.variant, "Material variant (glTF KHR_materials_variants)");
 }
 
-SceneGraph load_scene(const SceneOptions& options, Notes& notes) {
+SceneGraph load_scene(const SceneOptions& options, Notes& notes, Vec2i resolution) {
   SceneGraph graph =
       options.file.empty() ? cornell_box() : read_scene(options.file, {options.time, options.variant}, notes);
   if (!options.environment.empty()) graph.add_light(read_environment(options.environment));
-  add_missing_camera_and_light(graph, notes);
+  add_missing_camera_and_light(graph, notes, resolution);
   return graph;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "lambert/base/notes.h"
-#include "lambert/scene/scene_graph.h"
+#include "lambert/scene/scene.h"
 
 #include <CLI/App.hpp>
 
@@ -17,8 +17,9 @@ struct SceneOptions {
 };
 void add_scene_options(CLI::App& app, SceneOptions& options);
 
-/// Reads the scene and adds what it lacks; what was ignored, approximated or added is in `notes`.
-SceneGraph load_scene(const SceneOptions& options, Notes& notes);
+/// Reads the scene and adds what it lacks; what was ignored, approximated or added is in `notes`. A camera that is
+/// added frames for `resolution`.
+SceneGraph load_scene(const SceneOptions& options, Notes& notes, Vec2i resolution = default_resolution);
 
 /// One line a note on standard error.
 void print_notes(const Notes& notes);

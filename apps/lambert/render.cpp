@@ -84,7 +84,7 @@ int run(const RenderOptions& options) {
   set_thread_count(options.threads);
 
   Notes notes;
-  SceneGraph graph = load_scene(options.scene, notes);
+  SceneGraph graph = load_scene(options.scene, notes, requested_resolution(options).value_or(default_resolution));
   print_notes(notes);
   const RenderSettings settings = render_settings(options, graph.settings);
   const auto method = configured_method(options, graph.settings);

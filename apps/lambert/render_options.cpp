@@ -95,6 +95,14 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
   app.add_flag("--verbose", o.verbose, "Say more");
 }
 
+std::optional<Vec2i> requested_resolution(const RenderOptions& options) {
+  if (options.resolution.empty()) return std::nullopt;
+  const auto size = parse_numbers("--resolution", options.resolution, "x", "WIDTHxHEIGHT such as 1920x1080");
+  if (size[0] < 1 || size[1] < 1 || size[0] > 65536 || size[1] > 65536)
+    throw Error("--resolution: expected sizes from 1 to 65536, got '" + options.resolution + "'");
+  return Vec2i(size[0], size[1]);
+}
+
 Camera choose_camera(const std::vector<Camera>& cameras, const RenderOptions& options) {
   std::size_t chosen = 0;
   if (!options.camera.empty()) {
@@ -113,11 +121,8 @@ Camera choose_camera(const std::vector<Camera>& cameras, const RenderOptions& op
       }
     }
   }
-  if (options.resolution.empty()) return cameras[chosen];
-  const auto size = parse_numbers("--resolution", options.resolution, "x", "WIDTHxHEIGHT such as 1920x1080");
-  if (size[0] < 1 || size[1] < 1 || size[0] > 65536 || size[1] > 65536)
-    throw Error("--resolution: expected sizes from 1 to 65536, got '" + options.resolution + "'");
-  return cameras[chosen].with_resolution({size[0], size[1]});
+  const auto resolution = requested_resolution(options);
+  return resolution ? cameras[chosen].with_resolution(*resolution) : cameras[chosen];
 }
 
 RenderSettings render_settings(const RenderOptions& o, const SceneFileSettings& file) {

@@ -35,6 +35,9 @@ struct RenderOptions {
 
 void add_render_options(CLI::App& app, RenderOptions& options);
 
+/// What --resolution says, if anything. Throws Error.
+std::optional<Vec2i> requested_resolution(const RenderOptions& options);
+
 /// The camera that was asked for by name or number (the first by default), at the resolution asked for. Throws Error.
 Camera choose_camera(const std::vector<Camera>& cameras, const RenderOptions& options);
 

@@ -72,6 +72,20 @@ class Environment(CommandLineTest):
         self.assertIn("sky.hdr", self.lambert("render", "--environment", "sky.hdr", status=1).stderr)
 
 
+class Framing(CommandLineTest):
+    GLOWING = ('WorldBegin AreaLightSource "diffuse" "rgb L" [ 1 1 1 ]\nShape "trianglemesh" "point3 P" [ {0} {1} 0  -{0} {1} 0  -{0} -{1} 0  '
+               '{0} -{1} 0 ] "integer indices" [ 0 1 2 0 2 3 ]\n')
+
+    def test_is_for_the_resolution_asked_for(self):
+        for shape, (width, height) in ((("5", "1"), (40, 40)), (("1", "5"), (120, 40))):
+            (self.folder / "glow.pbrt").write_text(self.GLOWING.format(*shape))
+            self.lambert("render", "glow.pbrt", "--resolution", f"{width}x{height}", "--spp", 1, "--filter", "box", "-o", "glow.pfm")
+            red = struct.unpack(f"<{3 * width * height}f", (self.folder / "glow.pfm").read_bytes()[-12 * width * height:])[::3]
+            rows = [red[y * width:][:width] for y in range(height)]
+            self.assertGreater(max(red), 0)
+            self.assertEqual(max(*rows[0], *rows[-1], *(row[0] for row in rows), *(row[-1] for row in rows)), 0)
+
+
 class Order(CommandLineTest):
     def test_options_may_stand_before_the_scene(self):
         (self.folder / "ball.pbrt").write_text(DefaultOutput.SCENE)

@@ -6,8 +6,6 @@
 namespace lambert {
 namespace {
 
-constexpr Vec2i default_resolution(1280, 720);
-
 bool has_light(const SceneGraph& graph) {
   if (!graph.lights().empty()) return true;
   for (NodeId n = 0; n < graph.node_count(); ++n)
@@ -18,9 +16,9 @@ bool has_light(const SceneGraph& graph) {
 
 }  // namespace
 
-void add_missing_camera_and_light(SceneGraph& graph, Notes& notes) {
+void add_missing_camera_and_light(SceneGraph& graph, Notes& notes, Vec2i resolution) {
   if (graph.cameras().empty()) {
-    graph.add_camera(framing_camera(graph.world_bounds(graph.root()), default_resolution));
+    graph.add_camera(framing_camera(graph.world_bounds(graph.root()), resolution));
     notes.add("the scene has no camera: framed it as a whole");
   }
   if (!has_light(graph)) {

@@ -14,6 +14,18 @@ SceneGraph far_box() {
   return graph;
 }
 
+void expect_seen_whole(const SceneGraph& graph) {
+  const Camera camera = graph.cameras().at(0);
+  const auto& lens = std::get<Perspective>(camera.projection);
+  const Bounds3 bounds = graph.world_bounds(graph.root());
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 p = camera.to_world.inverse().point(bounds.corner(i));
+    EXPECT_LT(p.z, 0) << "behind the camera";
+    EXPECT_LT(std::abs(p.x / -p.z - lens.centre.x), lens.half_width);
+    EXPECT_LT(std::abs(p.y / -p.z - lens.centre.y), lens.half_height);
+  }
+}
+
 TEST(AddMissing, SaysSoAndSeesTheWholeBox) {
   SceneGraph graph = far_box();
   Notes notes;
@@ -23,15 +35,17 @@ TEST(AddMissing, SaysSoAndSeesTheWholeBox) {
   EXPECT_TRUE(notes.counts().contains("the scene has no light: added a studio environment"));
   ASSERT_EQ(graph.cameras().size(), 1u);
   ASSERT_EQ(graph.lights().size(), 1u);
+  EXPECT_EQ(graph.cameras()[0].resolution, default_resolution);
+  expect_seen_whole(graph);
+}
 
-  const Camera camera = graph.cameras()[0];
-  const auto& lens = std::get<Perspective>(camera.projection);
-  const Bounds3 bounds = graph.world_bounds(graph.root());
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 p = camera.to_world.inverse().point(bounds.corner(i));
-    EXPECT_LT(p.z, 0) << "behind the camera";
-    EXPECT_LT(std::abs(p.x / -p.z - lens.centre.x), lens.half_width);
-    EXPECT_LT(std::abs(p.y / -p.z - lens.centre.y), lens.half_height);
+TEST(AddMissing, FramesForTheResolutionAskedFor) {
+  for (const Vec2i resolution : {Vec2i(180, 180), Vec2i(90, 400), Vec2i(1000, 100)}) {
+    SceneGraph graph = far_box();
+    Notes notes;
+    add_missing_camera_and_light(graph, notes, resolution);
+    EXPECT_EQ(graph.cameras().at(0).resolution, resolution);
+    expect_seen_whole(graph);
   }
 }
 
