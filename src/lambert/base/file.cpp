@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -39,17 +40,62 @@ MappedFile::~MappedFile() {
 MappedFile::MappedFile(MappedFile&& other) noexcept
     : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
 
+namespace {
+
+[[noreturn]] void cannot_write(const fs::path& path, const std::string& why) {
+  throw Error(path.string() + ": cannot write: " + why);
+}
+
+/// The file that a write to `path` means: links are followed, even to a file that is not there yet. Throws Error naming
+/// `path` when that cannot be a regular file.
+fs::path regular_target(const fs::path& path) {
+  constexpr int most_links = 40;  // as Linux follows
+  std::error_code problem;
+  fs::path target = path;
+  for (int links = 0; fs::is_symlink(fs::symlink_status(target, problem)); ++links) {
+    if (links == most_links) cannot_write(path, "too many symbolic links");
+    const fs::path next = fs::read_symlink(target, problem);
+    if (problem) cannot_write(path, problem.message());
+    target = target.parent_path() / next;
+  }
+  const fs::file_status status = fs::status(target, problem);
+  if (status.type() == fs::file_type::none) cannot_write(path, problem.message());
+  if (fs::is_directory(status)) cannot_write(path, "it is a folder");
+  if (fs::exists(status) && !fs::is_regular_file(status)) cannot_write(path, "it is not a regular file");
+  const fs::path folder = fs::absolute(target).parent_path();
+  if (!fs::is_directory(folder, problem)) cannot_write(path, "there is no folder " + folder.string());
+  return target;
+}
+
+/// In the same folder, so that the rename stays on one file system; short, since the name of `target` may be as long as
+/// names can be.
+fs::path temporary_beside(const fs::path& target) {
+  static std::atomic<unsigned> count{0};
+  return target.parent_path() / (".lambert-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp");
+}
+
+}  // namespace
+
+void check_writable(const fs::path& path) {
+  const fs::path temporary = temporary_beside(regular_target(path));
+  // No look at permission bits answers for read-only file systems and for root.
+  const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (fd < 0) cannot_write(path, std::strerror(errno));
+  ::close(fd);
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+}
+
 void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  // Same folder, so that the rename stays on one file system; same extension, since some writers choose by it.
-  const fs::path temporary = path.parent_path() / ("." + path.stem().string() + "." + std::to_string(::getpid()) +
-                                                   ".tmp" + path.extension().string());
+  const fs::path target = regular_target(path);
+  const fs::path temporary = temporary_beside(target);
   std::error_code ignored;
   try {
     write(temporary);
-    fs::rename(temporary, path);
+    fs::rename(temporary, target);
   } catch (const fs::filesystem_error& e) {
     fs::remove(temporary, ignored);
-    throw Error(path.string() + ": cannot write: " + e.code().message());
+    cannot_write(path, e.code().message());
   } catch (...) {
     fs::remove(temporary, ignored);
     throw;
@@ -60,7 +106,7 @@ void write_atomically(const fs::path& path, std::span<const std::byte> bytes) {
   write_atomically(path, [&](const fs::path& temporary) {
     std::ofstream out(temporary, std::ios::binary);
     out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!out.flush()) throw Error(path.string() + ": cannot write: " + std::strerror(errno));
+    if (!out.flush()) cannot_write(path, std::strerror(errno));
   });
 }
 

@@ -26,10 +26,15 @@ class MappedFile {
 };
 
 /// Writes `path` whole or not at all: `write` fills a temporary file beside it, which is then renamed over it. On an
-/// exception the temporary is removed and `path` is untouched. Throws Error naming `path` when it cannot be written.
+/// exception the temporary is removed and `path` is untouched. A symbolic link stays, its target is written. Throws
+/// Error naming `path` when it cannot be written, as when it is a folder or a device.
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path&)>& write);
 void write_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_atomically(const std::filesystem::path& path, std::string_view text);
+
+/// Throws the Error that write_atomically would, as far as that can be known before: a file is made beside `path` and
+/// removed.
+void check_writable(const std::filesystem::path& path);
 
 }  // namespace lambert

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <fstream>
 #include <stdexcept>
 
@@ -38,11 +40,10 @@ TEST_F(Files, WrittenTextIsReadBack) {
   EXPECT_EQ(file_count(), 1u);
 }
 
-TEST_F(Files, WriterSeesAFileBesideWithTheSameExtension) {
+TEST_F(Files, WriterSeesAFileBeside) {
   write_atomically(path("a.exr"), [&](const fs::path& temporary) {
     EXPECT_NE(temporary, path("a.exr"));
     EXPECT_EQ(temporary.parent_path(), path("a.exr").parent_path());
-    EXPECT_EQ(temporary.extension(), ".exr");
     std::ofstream(temporary) << "pixels";
     EXPECT_FALSE(fs::exists(path("a.exr")));
   });
@@ -74,6 +75,50 @@ TEST_F(Files, ErrorsNameTheFile) {
   EXPECT_NE(message([&] { write_atomically(deep, "x"); }).find(deep.string()), std::string::npos);
   EXPECT_NE(message([&] { MappedFile f(deep); }).find(deep.string()), std::string::npos);
   EXPECT_NE(message([&] { MappedFile f(path(".")); }).find("not a regular file"), std::string::npos);
+}
+
+TEST_F(Files, NamesMayBeAsLongAsTheFileSystemAllows) {
+  const std::string name = std::string(251, 'n') + ".png";
+  check_writable(path(name.c_str()));
+  write_atomically(path(name.c_str()), "x");
+  EXPECT_EQ(MappedFile(path(name.c_str())).text(), "x");
+  EXPECT_THROW(check_writable(path(("n" + name).c_str())), Error);
+  EXPECT_THROW(write_atomically(path(("n" + name).c_str()), "x"), Error);
+}
+
+TEST_F(Files, LinksStayAndTheirTargetsAreWritten) {
+  fs::create_directory(path("there"));
+  fs::create_symlink("there/a.txt", path("one"));
+  fs::create_symlink(path("one"), path("two"));
+  for (const char* text : {"first", "second"}) {
+    check_writable(path("two"));
+    write_atomically(path("two"), text);
+    EXPECT_TRUE(fs::is_symlink(path("one")) && fs::is_symlink(path("two")));
+    EXPECT_FALSE(fs::is_symlink(path("there/a.txt")));
+    EXPECT_EQ(MappedFile(path("there/a.txt")).text(), text);
+  }
+  fs::create_symlink("round", path("round"));
+  EXPECT_THROW(write_atomically(path("round"), "x"), Error);
+}
+
+TEST_F(Files, CheckWritableLeavesNothing) {
+  write_atomically(path("old"), "old");
+  check_writable(path("old"));
+  check_writable(path("new"));
+  EXPECT_EQ(MappedFile(path("old")).text(), "old");
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(Files, WhatIsNoRegularFileIsNotReplaced) {
+  const fs::path folder = path("folder"), pipe = path("pipe");
+  fs::create_directory(folder);
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const fs::path& p : {folder, pipe, path("missing") / "a", path("pipe") / "a", fs::path("/dev/null")}) {
+    EXPECT_THROW(check_writable(p), Error) << p;
+    EXPECT_THROW(write_atomically(p, "x"), Error) << p;
+  }
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_THROW(check_writable("/proc/a.txt"), Error) << "a folder that takes no files, even root's";
 }
 
 TEST_F(Files, EmptyFileHasNoBytes) {
