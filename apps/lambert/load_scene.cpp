@@ -1,5 +1,7 @@
 #include "load_scene.h"
 
+#include "number_range.h"
+
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"
 #include "lambert/formats/read_scene.h"
@@ -8,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <utility>
 
 namespace lambert::cli {
@@ -29,7 +32,8 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
   app.add_option("scene", options.file, "glTF (.gltf .glb), pbrt-v4 (.pbrt), OBJ or PLY file; none: the Cornell box");
   app.add_option("--environment", options.environment,
                  "Light from all around, beside the scene's: a latitude-longitude image (.hdr, .exr), or 'studio'");
-  app.add_option("--time", options.time, "Seconds into the scene's animation")->capture_default_str();
+  expect_number(app.add_option("--time", options.time, "Seconds into the scene's animation")->capture_default_str(),
+                {.expected = "a number of seconds, 0 or more", .below = std::numeric_limits<float>::max()});
   app.add_option("--variant", options.variant, "Material variant (glTF KHR_materials_variants)");
 }
 

@@ -1,5 +1,7 @@
 #include "render_options.h"
 
+#include "number_range.h"
+
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
 #include "lambert/image/io.h"
@@ -17,7 +19,12 @@
 namespace lambert::cli {
 namespace {
 
-constexpr int default_samples = 64;
+constexpr int default_samples = 64, most_samples = std::numeric_limits<int>::max() / 2, most_threads = 4096;
+
+NumberRange whole_number(int first, int last) {
+  return {
+      .expected = fmt::format("a whole number from {} to {}", first, last), .low = 1.0 * first, .below = last + 1.0};
+}
 
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
@@ -69,12 +76,17 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
   app.add_option("--method", o.method, "How to render (see 'lambert methods')")->capture_default_str();
   app.add_option("--set", o.method_settings, "A setting of the method, key=value; several allowed")
       ->allow_extra_args(false);
-  app.add_option("--spp", o.samples_per_pixel, "Samples per pixel (at most, with --target-error)");
-  app.add_option("--time-limit", o.time_limit, "Stop after this many seconds");
-  app.add_option("--target-error", o.target_error,
-                 "Spend samples where needed until a pixel's relative error is this (0.02: two percent)");
-  app.add_option("--seed", o.seed, "Another seed, another noise")->capture_default_str();
-  app.add_option("--threads", o.threads, "0: all cores")->capture_default_str();
+  expect_number(app.add_option("--spp", o.samples_per_pixel, "Samples per pixel (at most, with --target-error)"),
+                whole_number(1, most_samples));
+  expect_number(app.add_option("--time-limit", o.time_limit, "Stop after this many seconds"),
+                {.expected = "a number of seconds, 0 or more"});
+  expect_number(app.add_option("--target-error", o.target_error,
+                               "Spend samples where needed until a pixel's relative error is this (0.02: two percent)"),
+                {.expected = "a number, 0 or more"});
+  expect_number(app.add_option("--seed", o.seed, "Another seed, another noise")->capture_default_str(),
+                {.expected = "a whole number from 0 to 18446744073709551615", .below = 0x1p64});
+  expect_number(app.add_option("--threads", o.threads, "0: all cores")->capture_default_str(),
+                whole_number(0, most_threads));
   app.add_option("--resolution", o.resolution, "WIDTHxHEIGHT in pixels");
   app.add_option("--crop", o.crop, "Render only x0,y0,x1,y1 (pixels, the last ones exclusive)");
   app.add_option("--camera", o.camera, "Name or number of the camera; the first by default");
@@ -84,9 +96,12 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
   app.add_option("--aov", o.aovs, "Extra layers of an EXR: " + joined(aov_names()) + ", or all")
       ->delimiter(',')
       ->allow_extra_args(false);
-  app.add_option("--pass-size", o.pass_size, "Samples per pixel and pass (0: growing); does not change the image")
-      ->capture_default_str();
-  app.add_option("--exposure", o.exposure, "Stops, for display formats")->capture_default_str();
+  expect_number(
+      app.add_option("--pass-size", o.pass_size, "Samples per pixel and pass (0: growing); does not change the image")
+          ->capture_default_str(),
+      whole_number(0, most_samples));
+  expect_number(app.add_option("--exposure", o.exposure, "Stops, for display formats")->capture_default_str(),
+                {.expected = "a number of stops between -100 and 100", .low = -100, .below = 100});
   app.add_option("--tonemap", o.tonemap, "For display formats: " + joined(tone_operator_names()))
       ->capture_default_str();
   app.add_option("--progress", o.progress, "tty, ndjson or none; by default a bar if standard error is a terminal");
@@ -128,9 +143,8 @@ Camera choose_camera(const std::vector<Camera>& cameras, const RenderOptions& op
 RenderSettings render_settings(const RenderOptions& o, const SceneFileSettings& file) {
   RenderSettings s;
   const bool limited = o.time_limit > 0;
-  s.samples_per_pixel = o.samples_per_pixel.value_or(limited ? std::numeric_limits<int>::max() / 2
-                                                             : file.samples_per_pixel.value_or(default_samples));
-  if (s.samples_per_pixel < 1) throw Error("--spp: expected at least 1, got " + std::to_string(s.samples_per_pixel));
+  s.samples_per_pixel =
+      o.samples_per_pixel.value_or(limited ? most_samples : file.samples_per_pixel.value_or(default_samples));
   s.time_limit_seconds = o.time_limit;
   s.target_error = o.target_error;
   s.seed = o.seed;

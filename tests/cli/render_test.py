@@ -1,7 +1,11 @@
+import json
+import os
+import re
 import signal
 import struct
 import subprocess
 import time
+import unittest
 
 from command_line import CommandLineTest, PROGRAM, main
 
@@ -132,6 +136,24 @@ class Mistakes(CommandLineTest):
         self.expect(["crop"], "render", "--resolution", "8x8", "--crop", "0,0,9,9")
         self.expect(["--spp"], "render", "--spp", "0")
         self.expect(["max-depth", "whole number"], "render", "--set", "max-depth=three")
+
+    def test_numbers_out_of_range(self):
+        never = ("nan", "inf", "-inf", "1e400")
+        for flag, words in {"--threads": ("-1", "1000000000", *never), "--seed": ("-1", "18446744073709551616", *never),
+                            "--spp": ("-1", "0", "99999999999", *never), "--pass-size": ("-1", *never),
+                            "--time-limit": ("-1", *never), "--target-error": ("-0.1", *never), "--time": ("-1", "1e39", *never),
+                            "--exposure": ("-1e39", "1000", *never)}.items():
+            for word in words:
+                with self.subTest(flag=flag, word=word):
+                    done = self.lambert("render", flag, word, status=1)
+                    self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+                    self.assertRegex(done.stderr, f"error: {flag}: expected a .*, got '{re.escape(word)}'")
+                    self.assertEqual(self.files(), [])
+        self.expect(["--time", "'nan'"], "info", "--time", "nan")
+        self.expect(["--threads"], "render", "--threads", "many", status=2)
+
+    def test_numbers_at_the_end_of_their_range(self):
+        self.lambert("render", *SMALL, "--seed", 2**64 - 1, "--threads", 4096, "--exposure", -99.5, "--time", 0, "-o", "a.png")
 
     def test_missing_file(self):
         self.expect(["missing.glb"], "render", "missing.glb")

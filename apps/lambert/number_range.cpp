@@ -1,0 +1,20 @@
+#include "number_range.h"
+
+#include "lambert/base/error.h"
+
+#include <cstdlib>
+
+namespace lambert::cli {
+
+void expect_number(CLI::Option* option, const NumberRange& range) {
+  option->check([option, range](const std::string& word) -> std::string {
+    char* end = nullptr;
+    const long double value = std::strtold(word.c_str(), &end);  // double does not know the last seed from 2^64
+    const bool is_number = !word.empty() && *end == '\0';
+    if (is_number && !(value >= range.low && value < range.below))
+      throw Error(option->get_name() + ": expected " + range.expected + ", got '" + word + "'");
+    return {};
+  });
+}
+
+}  // namespace lambert::cli
