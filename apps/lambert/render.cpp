@@ -15,8 +15,11 @@
 
 #include <sys/resource.h>
 #include <algorithm>
+#include <cctype>
 #include <chrono>
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,19 +41,40 @@ double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-bool is_exr(const std::string& path) { return std::filesystem::path(path).extension() == ".exr"; }
+bool is_exr(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".exr";
+}
 
-void write_outputs(const RenderOptions& options, const RenderSettings& settings, const Film& film) {
+/// Whether `write` did; its error is logged, so that what else there is to write is written.
+bool written(const std::function<void()>& write) {
+  try {
+    write();
+    return true;
+  } catch (const std::exception& e) {
+    log::error(e.what());
+    return false;
+  }
+}
+
+/// False when one of them could not be written.
+bool write_outputs(const std::vector<std::string>& paths, const RenderOptions& options, const RenderSettings& settings,
+                   const Film& film) {
   Image image = film.develop();
   image.metadata["software"] = "lambert " LAMBERT_VERSION;
   image.metadata["scene"] = options.scene.file.empty() ? "Cornell box" : options.scene.file;
   image.metadata["method"] = options.method;
   image.metadata["seed"] = std::to_string(settings.seed);
   image.metadata["samples"] = std::to_string(film.total_samples() / film.crop().area());
-  for (const std::string& path : output_paths(options)) {
-    write_image(path, is_radiance_format(path) ? image : tonemap(image, tone_settings(options)));
-    fmt::print("{}\n", std::filesystem::absolute(path).lexically_normal().string());
-  }
+  bool all = true;
+  for (const std::string& path : paths)
+    all &= written([&] {
+      write_image(path, is_radiance_format(path) ? image : tonemap(image, tone_settings(options)));
+      fmt::print("{}\n", std::filesystem::absolute(path).lexically_normal().string());
+    });
+  return all;
 }
 
 void write_statistics(const std::string& path, const RenderStatistics& s, double load_seconds,
@@ -71,6 +95,11 @@ void write_statistics(const std::string& path, const RenderStatistics& s, double
   write_atomically(path, j.dump(2) + "\n");
 }
 
+int interrupted_with_nothing() {
+  log::warn("interrupted before the first sample; nothing is written");
+  return interrupted;
+}
+
 int run(const RenderOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   if (options.quiet) log::set_level(log::Level::error);
@@ -86,6 +115,7 @@ int run(const RenderOptions& options) {
   Notes notes;
   SceneGraph graph = load_scene(options.scene, notes, requested_resolution(options).value_or(default_resolution));
   print_notes(notes);
+  if (stop.stop_requested()) return interrupted_with_nothing();
   const RenderSettings settings = render_settings(options, graph.settings);
   const auto method = configured_method(options, graph.settings);
   const Camera camera = choose_camera(graph.cameras(), options);
@@ -97,11 +127,14 @@ int run(const RenderOptions& options) {
   const RenderResult result = render(scene, camera, *method, settings, progress, stop);
   const double render_cpu = cpu_seconds() - cpu_before;
 
-  write_outputs(options, settings, result.film);
-  if (!options.stats.empty()) write_statistics(options.stats, result.statistics, load_seconds, render_cpu);
-  if (!result.statistics.interrupted) return done;
-  log::warn("interrupted; what was done is saved");
-  return interrupted;
+  if (result.film.total_samples() == 0) return interrupted_with_nothing();
+
+  bool all = write_outputs(paths, options, settings, result.film);
+  if (!options.stats.empty())
+    all &= written([&] { write_statistics(options.stats, result.statistics, load_seconds, render_cpu); });
+  if (result.statistics.interrupted) log::warn(all ? "interrupted; what was done is saved" : "interrupted");
+  if (!all) return failed;
+  return result.statistics.interrupted ? interrupted : done;
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <string_view>
@@ -152,13 +151,15 @@ RenderSettings render_settings(const RenderOptions& o, const SceneFileSettings& 
   if (file.filter) s.filter = *file.filter;
   if (!o.filter.empty()) s.filter = FilterSettings{.kind = filter_kind(o.filter)};
   if (!o.crop.empty()) s.crop = parse_crop(o.crop);
+  const auto add_once = [&](Aov a) {
+    if (std::ranges::find(s.aovs, a) == s.aovs.end()) s.aovs.push_back(a);
+  };
   for (const std::string& name : o.aovs) {
     if (name == "all")
-      for (const std::string& each : aov_names()) s.aovs.push_back(aov(each));
+      for (const std::string& each : aov_names()) add_once(aov(each));
     else
-      s.aovs.push_back(aov(name));
+      add_once(aov(name));
   }
-  if (o.pass_size < 0) throw Error("--pass-size: expected 0 or more, got " + std::to_string(o.pass_size));
   s.pass_size = o.pass_size;
   return s;
 }
@@ -180,22 +181,14 @@ std::unique_ptr<Method> configured_method(const RenderOptions& options, const Sc
 std::vector<std::string> output_paths(const RenderOptions& options) {
   std::vector<std::string> paths = options.outputs;
   if (paths.empty()) paths.push_back(default_output(options.scene.file));
-  // Throws before any work is done.
-  const auto check_folder = [](const std::string& path) {
-    const auto folder = std::filesystem::absolute(path).parent_path();
-    if (!std::filesystem::is_directory(folder)) throw Error(path + ": there is no folder " + folder.string());
-  };
   for (const std::string& path : paths) {
     is_radiance_format(path);
-    check_folder(path);
+    check_writable(path);
   }
-  if (!options.stats.empty()) check_folder(options.stats);
+  if (!options.stats.empty()) check_writable(options.stats);
   return paths;
 }
 
-ToneSettings tone_settings(const RenderOptions& options) {
-  if (!std::isfinite(options.exposure)) throw Error("--exposure: expected a number of stops");
-  return {tone_operator(options.tonemap), options.exposure};
-}
+ToneSettings tone_settings(const RenderOptions& options) { return {tone_operator(options.tonemap), options.exposure}; }
 
 }  // namespace lambert::cli

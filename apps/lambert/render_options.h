@@ -47,7 +47,8 @@ RenderSettings render_settings(const RenderOptions& options, const SceneFileSett
 /// The method with its settings: those of the flags over max_depth of the file. Throws Error.
 std::unique_ptr<Method> configured_method(const RenderOptions& options, const SceneFileSettings& file);
 
-/// Where to write when no -o is given: beside the scene, as PNG.
+/// Where to write: as -o says, or as PNG beside the scene. Throws Error, before any work is done, when an output or the
+/// statistics could not be written there.
 std::vector<std::string> output_paths(const RenderOptions& options);
 
 ToneSettings tone_settings(const RenderOptions& options);

@@ -36,23 +36,135 @@ class Render(CommandLineTest):
 
     def test_progress_for_machines(self):
         done = self.lambert("render", *SMALL, "--progress", "ndjson")
-        import json
         lines = [json.loads(line) for line in done.stderr.splitlines()]
         self.assertEqual(lines[-1]["fraction"], 1)
 
-    def test_interrupt_saves_and_says_130(self):
-        process = subprocess.Popen([PROGRAM, "render", "--spp", "1000000", "--resolution", "64x64", "-o", "i.exr"], cwd=self.folder,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        time.sleep(1)
-        process.send_signal(signal.SIGINT)
-        process.communicate(timeout=30)
-        self.assertEqual(process.returncode, 130)
-        self.assertEqual(self.files(), ["i.exr"])
+    def test_a_layer_named_twice_is_there_once(self):
+        for twice, once in (("albedo,albedo", "albedo"), ("all,albedo", "all")):
+            self.lambert("render", *SMALL, "--aov", twice, "-o", "twice.exr")
+            self.lambert("render", *SMALL, "--aov", once, "-o", "once.exr")
+            self.assertEqual((self.folder / "twice.exr").read_bytes(), (self.folder / "once.exr").read_bytes())
+
+    def test_extensions_may_be_capital(self):
+        self.assertEqual(self.lambert("render", *SMALL, "--aov", "all", "-o", "a.EXR").stderr, "")
+        self.assertIn("none is written", self.lambert("render", *SMALL, "--aov", "all", "-o", "a.png").stderr)
 
     def test_time_limit(self):
         start = time.monotonic()
         self.lambert("render", "--time-limit", "0.5", "--resolution", "64x64")
         self.assertLess(time.monotonic() - start, 20)
+
+
+def blocked_signals(*pending):
+    """For the new process: signals wait until it takes them, so that none comes too early; `pending` have come already."""
+    def prepare():
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
+        for each in pending:
+            os.kill(os.getpid(), each)
+    return prepare
+
+
+class Interrupt(CommandLineTest):
+    ENDLESS = ["render", "--spp", "1000000", "--resolution", "64x64", "-o", "i.exr"]
+
+    def test_saves_and_says_130(self):
+        process = subprocess.Popen([PROGRAM, *self.ENDLESS, "--progress", "ndjson"], cwd=self.folder, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        while json.loads(process.stderr.readline())["samples"] == 0:
+            pass
+        process.send_signal(signal.SIGINT)
+        _, words = process.communicate(timeout=30)
+        self.assertEqual(process.returncode, 130)
+        self.assertIn("what was done is saved", words)
+        self.assertEqual(self.files(), ["i.exr"])
+
+    def test_before_the_first_sample_writes_nothing(self):
+        # Takes longer to read than a signal to arrive.
+        (self.folder / "s.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 500000)
+        (self.folder / "s.exr").write_text("old")
+        for each in (signal.SIGINT, signal.SIGTERM):
+            done = subprocess.run([PROGRAM, "render", "s.obj", *SMALL, "-o", "s.exr", "--stats", "s.json"], cwd=self.folder,
+                                  capture_output=True, text=True, timeout=60, preexec_fn=blocked_signals(each))
+            self.assertEqual(done.returncode, 130)
+            self.assertEqual(done.stdout, "")
+            self.assertIn("nothing is written", done.stderr)
+            self.assertNotIn("saved", done.stderr)
+            self.assertEqual((self.folder / "s.exr").read_text(), "old")
+            self.assertEqual(self.files(), ["s.exr", "s.obj"])
+
+    def test_the_second_ends_the_process_at_once(self):
+        # Standard error takes no more, so that the program hangs in its first word of progress or of farewell.
+        reader, full = os.pipe()
+        os.set_blocking(full, False)
+        try:
+            while True:
+                os.write(full, bytes(4096))
+        except BlockingIOError:
+            os.set_blocking(full, True)
+        process = subprocess.Popen([PROGRAM, *self.ENDLESS, "--progress", "ndjson"], cwd=self.folder, stderr=full,
+                                   preexec_fn=blocked_signals())
+        try:
+            for _ in range(50):  # two that come at once count as one
+                process.send_signal(signal.SIGINT)
+                try:
+                    process.wait(timeout=0.2)
+                    break
+                except subprocess.TimeoutExpired:
+                    pass
+            self.assertEqual(process.poll(), 130)
+        finally:
+            process.kill()
+            process.wait()
+            os.close(reader)
+            os.close(full)
+        self.assertEqual(self.files(), [])
+
+
+class Outputs(CommandLineTest):
+    def refused(self, path, why):
+        # Before any work: the scene that is missing is not missed.
+        for flags in (["-o", path], ["-o", "a.exr", "-o", path], ["-o", "a.exr", "--stats", path]):
+            done = self.lambert("render", "missing.glb", *flags, status=1)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertIn(str(path), done.stderr)
+            self.assertIn(why, done.stderr)
+
+    def test_are_checked_before_any_work(self):
+        (self.folder / "folder.png").mkdir()
+        os.mkfifo(self.folder / "pipe.png")
+        before = self.files()
+        self.refused("folder.png", "it is a folder")
+        self.refused("pipe.png", "not a regular file")
+        self.refused("none/a.png", "there is no folder")
+        self.refused("/proc/a.png", "cannot write")
+        self.refused("n" * 252 + ".png", "cannot write")
+        self.assertEqual(self.files(), before)
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write anywhere")
+    def test_a_folder_without_permission(self):
+        (self.folder / "locked").mkdir(mode=0o555)
+        self.refused("locked/a.png", "ermission")
+
+    def test_one_that_fails_does_not_stop_the_others(self):
+        # WebP has at most 16383 pixels a side.
+        done = self.lambert("render", "--resolution", "16384x1", "--spp", 1, "-o", "a.webp", "-o", "a.pfm", "--stats", "s.json", status=1)
+        self.assertIn("a.webp", done.stderr)
+        self.assertEqual(done.stdout.strip(), str(self.folder / "a.pfm"))
+        self.assertEqual(self.files(), ["a.pfm", "s.json"])
+
+    def test_long_names(self):
+        name = "n" * 245 + ".png"
+        self.lambert("render", *SMALL, "-o", name)
+        self.assertEqual(self.files(), [name])
+
+    def test_links_are_written_through(self):
+        (self.folder / "there").mkdir()
+        (self.folder / "link.png").symlink_to("there/target.png")
+        for _ in range(2):
+            self.lambert("render", *SMALL, "-o", "link.png")
+            self.assertTrue((self.folder / "link.png").is_symlink())
+            self.assertFalse((self.folder / "there" / "target.png").is_symlink())
+            self.assertTrue((self.folder / "there" / "target.png").read_bytes().startswith(b"\x89PNG"))
 
 
 class Environment(CommandLineTest):
@@ -77,8 +189,8 @@ class Environment(CommandLineTest):
 
 
 class Framing(CommandLineTest):
-    GLOWING = ('WorldBegin AreaLightSource "diffuse" "rgb L" [ 1 1 1 ]\nShape "trianglemesh" "point3 P" [ {0} {1} 0  -{0} {1} 0  -{0} -{1} 0  '
-               '{0} -{1} 0 ] "integer indices" [ 0 1 2 0 2 3 ]\n')
+    GLOWING = ('WorldBegin AreaLightSource "diffuse" "rgb L" [ 1 1 1 ]\nShape "trianglemesh" "integer indices" [ 0 1 2 0 2 3 ]\n'
+               '"point3 P" [ {0} {1} 0  -{0} {1} 0  -{0} -{1} 0  {0} -{1} 0 ]\n')
 
     def test_is_for_the_resolution_asked_for(self):
         for shape, (width, height) in ((("5", "1"), (40, 40)), (("1", "5"), (120, 40))):

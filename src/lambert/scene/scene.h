@@ -95,8 +95,8 @@ Scene compile(SceneGraph graph, const CompileSettings& settings = {});
 /// Of the camera of a scene that has none, unless another is asked for.
 inline constexpr Vec2i default_resolution{1280, 720};
 
-/// Adds a camera that sees the whole scene at `resolution` when there is none, and a studio environment when there is no
-/// light; says so in `notes`. Another aspect than that of `resolution` may cut the scene off.
+/// Adds a camera that sees the whole scene at `resolution` when there is none, and a studio environment when there is
+/// no light; says so in `notes`. Another aspect than that of `resolution` may cut the scene off.
 void add_missing_camera_and_light(SceneGraph& graph, class Notes& notes, Vec2i resolution = default_resolution);
 
 }  // namespace lambert
