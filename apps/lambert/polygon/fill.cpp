@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
 
 namespace lambert::cli {
@@ -97,7 +98,7 @@ int run_pixels(Options o) {
   const std::vector<Rings> features = fitted(joined(inputs), size);
   check_finite(features);
   const auto is_png = [](const std::string& path) { return std::filesystem::path(path).extension() == ".png"; };
-  const auto pngs = std::ranges::stable_partition(o.outputs, std::not_fn(is_png)).begin();
+  const auto pngs = std::stable_partition(o.outputs.begin(), o.outputs.end(), std::not_fn(is_png));
   const std::vector<std::string> images(pngs, o.outputs.end());
   o.outputs.erase(pngs, o.outputs.end());
 
