@@ -46,7 +46,8 @@ int in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
 
 int dot_sign(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
   constexpr double unit = 0x1p-53, bound = (3 + 16 * unit) * unit;
-  const double x = (b.x - a.x) * (d.x - c.x), y = (b.y - a.y) * (d.y - c.y), limit = bound * (std::abs(x) + std::abs(y));
+  const double x = (b.x - a.x) * (d.x - c.x), y = (b.y - a.y) * (d.y - c.y),
+               limit = bound * (std::abs(x) + std::abs(y));
   if (x + y > limit) return 1;
   if (-(x + y) > limit) return -1;
   return (difference(b.x, a.x) * difference(d.x, c.x) + difference(b.y, a.y) * difference(d.y, c.y)).sign();
