@@ -123,7 +123,7 @@ void add_countries(Table& table, const Options& options) {
   std::vector<Pair> each;
   for (const polygon::Rings& rings : outlines) each.push_back({rings, moved(rings, {0.013, 0.007})});
   table.add("countries", each);
-  for (const std::size_t edges : {10'000UL, 20'000UL, 50'000UL, 100'000UL}) {
+  for (const std::size_t edges : {10'000UL, 30'000UL, 60'000UL, 100'000UL}) {
     if (edges > options.largest) continue;
     const polygon::Rings land = refined_land(outlines, edges / 2);
     table.add("land", {{land, moved(land, {0.013, 0.007})}});

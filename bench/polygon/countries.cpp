@@ -46,6 +46,13 @@ class Topology {
   std::vector<Ring> arcs_;
 };
 
+Rings outer_rings(const Rings& rings) {
+  Rings outer;
+  for (polygon::Region& region : polygon::normalised(rings, polygon::FillRule::non_zero))
+    outer.push_back(std::move(region.outer));
+  return outer;
+}
+
 /// Every edge in `pieces`, their ends moved sideways by up to `rough` of their length.
 Ring refined(const Ring& ring, std::size_t pieces, double rough, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(-rough, rough);
@@ -64,9 +71,7 @@ Ring refined(const Ring& ring, std::size_t pieces, double rough, std::mt19937_64
 Rings refined_land(const std::vector<Rings>& countries, std::size_t edges) {
   Rings together;
   for (const Rings& rings : countries) together.insert(together.end(), rings.begin(), rings.end());
-  Rings land;
-  for (const polygon::Region& region : polygon::normalised(together, polygon::FillRule::non_zero))
-    land.push_back(region.outer);
+  Rings land = outer_rings(outer_rings(together));  // the second time without islands in lakes
   const std::size_t pieces = std::max<std::size_t>(1, edges / edge_count(land));
   std::mt19937_64 random(5);
   for (Ring& ring : land) {

@@ -13,15 +13,18 @@
 /// and clip of a symmetric operation changes nothing, to the bit.
 ///
 /// **Exactness.** All decisions are exact (predicates.h); vertices of the input keep their coordinates. Where two edges
-/// cross, the point is rounded to doubles: it lies within 2^-48 of the extent of the two edges from both of them.
-/// Rounding moves edges; where a moved edge meets what it did not meet before, it is split again until nothing crosses.
-/// Should that not end after a few rounds (edges so close that no two of a hundred million random degenerate inputs had
-/// them), all points go to a square grid of 2^-46 of the largest coordinate, doubled with each further round; so it
-/// always ends, at the latest when the grid leaves a single point. Coordinates more than 420 binary orders of magnitude
-/// below the largest one are first rounded to a grid 2^-472 of its size.
+/// cross, the point is rounded to doubles: it lies within 2^-48 of the extent of the two edges from both of them, and
+/// in the box of each. Rounding moves edges; where a moved edge meets what it did not meet before, it is cut again,
+/// until nothing crosses. This ends, since the boxes of the parts shrink with every cut and there are finitely many
+/// doubles, and it ends soon: edges not within some units in the last place of each other need one or two rounds. From
+/// the fourth round on parts also go through ends of others within 2^-51 of the largest coordinate of the two, twice as
+/// far in every further round up to 2^-40; from the thirteenth, which random degenerate inputs reach once in some
+/// thousands, all points go to a square grid of 2^-46 of the largest coordinate of all, doubled with every further
+/// round. No point moves further than the sum of these. Coordinates more than 420 binary orders of magnitude below the
+/// largest one are first rounded to a grid 2^-472 of its size.
 ///
-/// **Time** O((n + k) log n) expected for n edges with k crossings, and O(n) for long smooth outlines that cross
-/// seldom.
+/// **Time** O((n + k) log n) expected for n edges with k crossings and each round; for outlines that are coherent, as
+/// most are, less than 0.1 us an edge.
 
 #include "lambert/polygon/ring.h"
 

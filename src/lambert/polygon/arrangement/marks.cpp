@@ -24,18 +24,18 @@ bool is_steep(Vec2d a, Vec2d b) { return std::abs(b.y - a.y) > std::abs(b.x - a.
 
 class Finder {
  public:
-  Finder(const Outline& outline, const BoxTree& tree)
+  Finder(const Outline& outline, const BoxTree& tree, double most)
       : outline_(outline),
         p_(outline.points.data()),
         tree_(tree),
         runs_(tree.runs().data()),
         changed_(tree.runs().size()),
-        budget_(64 * outline.points.size() + 4096) {}
+        most_pairs_(static_cast<std::size_t>(most)),
+        budget_(8 * most_pairs_ + 4096) {}
 
   bool find_all() {
-    const auto most = static_cast<std::size_t>(most_pairs * static_cast<double>(outline_.points.size()));
     pairs_.reserve(tree_.runs().size());
-    if (!tree_.find_pairs(most, pairs_)) return false;
+    if (!tree_.find_pairs(most_pairs_, pairs_)) return false;
     marks_.inside.resize(outline_.points.size());
     for (const BoxTree::Pair pair : pairs_) meet_runs(pair);
     for (int round = 0; !fresh_.empty(); ++round) {
@@ -169,6 +169,7 @@ class Finder {
   void check_parts() {
     for (const BoxTree::Pair pair : pairs_) {
       if (changed_[pair.i] || changed_[pair.j]) check_runs(pair);
+      if (work_ > budget_) return;
     }
     // Those that met in a vertex alone can do so in more only when rounding has moved both to the border of their
     // boxes.
@@ -232,7 +233,7 @@ class Finder {
   std::vector<Mark> fresh_, added_;
   std::vector<std::uint32_t> fresh_run_;       // where each fresh one was found
   std::vector<bool> changed_, changed_edges_;  // runs and edges with parts to check
-  std::size_t work_ = 0, budget_;
+  std::size_t most_pairs_, work_ = 0, budget_;
   bool stuck_ = false;  // parts of edges still meet in a mark of theirs: rounding has put it out of order
 };
 
@@ -250,9 +251,10 @@ std::span<const Mark> Marks::inside_of(std::uint32_t edge, Vec2d start) const {
   return {begin, end};
 }
 
-std::optional<Marks> find_marks(const Outline& outline, const BoxTree& tree) {
-  if (tree.expected_pairs() > most_expected * static_cast<double>(outline.points.size())) return {};
-  Finder finder(outline, tree);
+std::optional<Marks> find_marks(const Outline& outline, const BoxTree& tree, double patience) {
+  const double edges = patience * static_cast<double>(outline.points.size());
+  if (tree.expected_pairs() > most_expected * edges) return {};
+  Finder finder(outline, tree, most_pairs * edges);
   if (!finder.find_all()) return {};
   return finder.take();
 }

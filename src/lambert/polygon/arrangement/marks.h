@@ -30,6 +30,6 @@ struct Marks {
 /// Every crossing is rounded once. Nothing when the box tree is no good for this outline, or when rounding went on
 /// making new crossings: then `subdivide` is the way. Expected time O(n + k log k) for outlines the tree is good for;
 /// in any case O(n log n).
-std::optional<Marks> find_marks(const Outline& outline, const BoxTree& tree);
+std::optional<Marks> find_marks(const Outline& outline, const BoxTree& tree, double patience = 1);
 
 }  // namespace lambert::polygon::arrangement

@@ -8,10 +8,11 @@ namespace lambert::polygon::arrangement {
 namespace {
 
 std::size_t hash(Vec2d p) {
-  // Multiplicative hashing with two odd constants; the high bits are the good ones.
-  const std::uint64_t x = std::bit_cast<std::uint64_t>(p.x) * 0x9e3779b97f4a7c15,
-                      y = std::bit_cast<std::uint64_t>(p.y) * 0xc2b2ae3d27d4eb4f;
-  return static_cast<std::size_t>((x ^ std::rotl(y, 32)) * 0x9e3779b97f4a7c15 >> 20);
+  // Whole numbers differ in the high bits only, hence the finaliser of MurmurHash3 (Appleby), which spreads all bits.
+  std::uint64_t bits = std::bit_cast<std::uint64_t>(p.x) ^ std::rotl(std::bit_cast<std::uint64_t>(p.y), 23);
+  bits = (bits ^ bits >> 33) * 0xff51afd7ed558ccd;
+  bits = (bits ^ bits >> 33) * 0xc4ceb9fe1a85ec53;
+  return static_cast<std::size_t>(bits ^ bits >> 33);
 }
 
 bool smaller(Vec2d a, Vec2d b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }

@@ -1,5 +1,6 @@
 #include "lambert/polygon/arrangement/subdivision.h"
 
+#include "lambert/polygon/arrangement/boundary.h"
 #include "lambert/polygon/arrangement/sweep.h"
 
 #include <algorithm>
@@ -67,6 +68,35 @@ Subdivision subdivide(const Outline& outline) {
       return result;
     }
   }
+}
+
+Regions select(const Subdivision& subdivision, const Selection& selection) {
+  Boundary boundary;
+  boundary.nodes.resize(subdivision.nodes);
+  std::vector<std::uint32_t> arc_of(subdivision.pieces.size(), none), piece_of;
+  for (std::uint32_t i = 0; i < subdivision.pieces.size(); ++i) {
+    const Piece& piece = subdivision.pieces[i];
+    const bool below = selection.contains(piece.below), above = selection.contains(piece.below + piece.delta);
+    if (below == above) continue;
+    boundary.nodes[piece.from] = piece.a;
+    boundary.nodes[piece.to] = piece.b;
+    arc_of[i] = static_cast<std::uint32_t>(boundary.arcs.size());
+    boundary.arcs.push_back(above ? Arc{piece.from, piece.to} : Arc{piece.to, piece.from});
+    piece_of.push_back(i);
+  }
+
+  // The next boundary piece below: the places above and below a piece that is none belong to the same part of the set,
+  // so the piece below it serves as well, and is remembered.
+  std::vector<std::uint32_t> support(subdivision.pieces.size());
+  for (std::uint32_t i = 0; i < support.size(); ++i) support[i] = subdivision.pieces[i].support;
+  const auto arc_below = [&](Vec2d, std::uint32_t arc) {
+    const std::uint32_t start = piece_of[arc];
+    std::uint32_t found = support[start];
+    while (arc_of[found] == none) found = support[found];
+    for (std::uint32_t i = start; i != found;) i = std::exchange(support[i], found);
+    return arc_of[found];
+  };
+  return regions_of(boundary, arc_below);
 }
 
 }  // namespace lambert::polygon::arrangement

@@ -29,4 +29,7 @@ struct Subdivision {
 /// found only neighbours that do not meet proves the result.
 Subdivision subdivide(const Outline& outline);
 
+/// The regions of a set, in the scale of the outline: bounded by the pieces that have it on one side only.
+Regions select(const Subdivision& subdivision, const Selection& selection);
+
 }  // namespace lambert::polygon::arrangement
