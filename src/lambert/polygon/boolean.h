@@ -20,8 +20,8 @@
 /// the fourth round on parts also go through ends of others within 2^-51 of the largest coordinate of the two, twice as
 /// far in every further round up to 2^-40; from the thirteenth, which random degenerate inputs reach once in some
 /// thousands, all points go to a square grid of 2^-46 of the largest coordinate of all, doubled with every further
-/// round. No point moves further than the sum of these. Coordinates more than 420 binary orders of magnitude below the
-/// largest one are first rounded to a grid 2^-472 of its size.
+/// round. A cut moves an edge by no more than that; cuts may add up. Coordinates more than 420 binary orders of
+/// magnitude below the largest one are first rounded to a grid 2^-472 of its size.
 ///
 /// **Time** O((n + k) log n) expected for n edges with k crossings and each round; for outlines that are coherent, as
 /// most are, less than 0.1 us an edge.
