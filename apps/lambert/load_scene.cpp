@@ -32,8 +32,9 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
   app.add_option("scene", options.file, "glTF (.gltf .glb), pbrt-v4 (.pbrt), OBJ or PLY file; none: the Cornell box");
   app.add_option("--environment", options.environment,
                  "Light from all around, beside the scene's: a latitude-longitude image (.hdr, .exr), or 'studio'");
-  expect_number(app.add_option("--time", options.time, "Seconds into the scene's animation")->capture_default_str(),
-                {.expected = "a number of seconds, 0 or more", .below = std::numeric_limits<float>::max()});
+  expect_number(
+      app.add_option("--time", options.time, "Seconds into the scene's animation")->capture_default_str(),
+      {.expected = "a number of seconds, 0 or more", .below = static_cast<double>(std::numeric_limits<float>::max())});
   app.add_option("--variant", options.variant, "Material variant (glTF KHR_materials_variants)");
 }
 
