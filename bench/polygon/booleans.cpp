@@ -158,6 +158,9 @@ int main(int count, char** arguments) {
   } else {
     add_countries(table, options);
   }
-  if (table.areas_differ()) std::printf("! the area differs from ours by more than 1e-5\n");
+  if (table.areas_differ())
+    std::printf(
+        "! the area differs from ours by more than 1e-5 (country outlines are not all valid, for those who demand "
+        "that)\n");
   return 0;
 }

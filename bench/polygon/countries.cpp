@@ -79,7 +79,7 @@ Rings refined_land(const std::vector<Rings>& countries, std::size_t edges) {
     // A sharp corner may have crossed itself.
     ring = polygon::check_valid({{finer, {}}}) ? refined(ring, pieces, 0, random) : finer;
   }
-  return land;
+  return outer_rings(land);  // neighbours may have met
 }
 
 std::vector<Rings> countries(const std::string& file) {
