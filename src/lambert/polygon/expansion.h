@@ -66,22 +66,25 @@ class Expansion {
   std::size_t size_ = 0;
 };
 
-/// Shewchuk's fig. 6, Grow-Expansion, once a component.
+/// `sum` + `component`; `sum` has room for it (Shewchuk's fig. 6, Grow-Expansion).
+template <std::size_t n>
+void grow(Expansion<n>& sum, double component) {
+  Expansion<n> grown;
+  double carry = component;
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    const RoundedSum s = two_sum(carry, sum[i]);
+    grown.push(s.error);
+    carry = s.value;
+  }
+  grown.push(carry);
+  sum = grown;
+}
+
 template <std::size_t n, std::size_t m>
 Expansion<n + m> operator+(const Expansion<n>& a, const Expansion<m>& b) {
   Expansion<n + m> sum;
   for (std::size_t i = 0; i < a.size(); ++i) sum.push(a[i]);
-  for (std::size_t j = 0; j < b.size(); ++j) {
-    Expansion<n + m> grown;
-    double carry = b[j];
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-      const RoundedSum s = two_sum(carry, sum[i]);
-      grown.push(s.error);
-      carry = s.value;
-    }
-    grown.push(carry);
-    sum = grown;
-  }
+  for (std::size_t j = 0; j < b.size(); ++j) grow(sum, b[j]);
   return sum;
 }
 
@@ -101,11 +104,6 @@ Expansion<2 * n> operator*(const Expansion<n>& a, double factor) {
   double carry = first.value;
   for (std::size_t i = 1; i < a.size(); ++i) {
     const RoundedSum product = two_product(a[i], factor);
-    if (i == 0) {
-      scaled.push(product.error);
-      carry = product.value;
-      continue;
-    }
     const RoundedSum low = two_sum(carry, product.error);
     scaled.push(low.error);
     const RoundedSum high = two_sum(product.value, low.value);
@@ -121,19 +119,7 @@ Expansion<2 * n * m> operator*(const Expansion<n>& a, const Expansion<m>& b) {
   Expansion<2 * n * m> product;
   for (std::size_t j = 0; j < b.size(); ++j) {
     const Expansion<2 * n> part = a * b[j];
-    Expansion<2 * n* m> sum = product;
-    for (std::size_t k = 0; k < part.size(); ++k) {
-      Expansion<2 * n * m> grown;
-      double carry = part[k];
-      for (std::size_t i = 0; i < sum.size(); ++i) {
-        const RoundedSum s = two_sum(carry, sum[i]);
-        grown.push(s.error);
-        carry = s.value;
-      }
-      grown.push(carry);
-      sum = grown;
-    }
-    product = sum;
+    for (std::size_t k = 0; k < part.size(); ++k) grow(product, part[k]);
   }
   return product;
 }
