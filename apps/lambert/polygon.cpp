@@ -1,17 +1,12 @@
 #include "command.h"
 #include "polygon/verb.h"
+#include "verb_table.h"
 
 #include <CLI/CLI.hpp>
-
-#include <memory>
 
 namespace lambert::cli {
 
 std::function<int()> add_polygon(CLI::App& app) {
-  struct Verb {
-    const char *name, *summary;
-    std::function<int()> (*add)(CLI::App&);
-  };
   static constexpr Verb verbs[] = {
       {"check", "Are rings closed, without repeated vertices?", add_check},
       {"classify", "Are rings simple, convex, which way round? With a witness", add_classify},
@@ -33,26 +28,13 @@ std::function<int()> add_polygon(CLI::App& app) {
       {"revolve", "Turn a profile about an axis", add_revolve},
       {"convert", "Write in another format, or draw", add_convert},
   };
-  app.require_subcommand(1);
-  struct Entry {
-    CLI::App* app;
-    std::function<int()> run;
-  };
-  const auto entries = std::make_shared<std::vector<Entry>>();
-  for (const Verb& verb : verbs) {
-    CLI::App* sub = app.add_subcommand(verb.name, verb.summary);
-    entries->push_back({sub, verb.add(*sub)});
-  }
+  const auto run = add_verbs(app, verbs);
   app.footer(
       "'lambert polygon VERB --help' explains a verb. Files are GeoJSON, WKT or plain vertices. Try:\n"
       "  lambert polygon classify a.wkt\n"
       "  lambert polygon union a.geojson b.geojson -o ab.geojson --svg ab.svg\n"
       "  echo '0 0 4 0 4 3' | xargs -n2 | lambert polygon area");
-  return [entries] {
-    for (const Entry& entry : *entries)
-      if (entry.app->parsed()) return entry.run();
-    return usage_error;
-  };
+  return run;
 }
 
 }  // namespace lambert::cli

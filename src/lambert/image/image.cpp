@@ -18,6 +18,13 @@ Image::Image(int width, int height, std::vector<std::string> channels)
   pixels_.resize(static_cast<std::size_t>(pixels) * channels_.size());
 }
 
+void Image::place(Vec2i origin, const Window& display) {
+  if (display.width <= 0 || display.height <= 0)
+    throw Error("a display window cannot be " + std::to_string(display.width) + "x" + std::to_string(display.height));
+  origin_ = origin;
+  display_ = display;
+}
+
 std::optional<std::size_t> Image::channel(std::string_view name) const {
   const auto it = std::find(channels_.begin(), channels_.end(), name);
   if (it == channels_.end()) return std::nullopt;

@@ -12,9 +12,16 @@
 
 namespace lambert {
 
+/// A rectangle of pixels on the picture's plane: columns [x, x + width), rows [y, y + height), y down.
+struct Window {
+  int x = 0, y = 0, width = 0, height = 0;
+  bool operator==(const Window&) const = default;
+};
+
 /// Pixels as floats: rows from the top, channels interleaved, linear light, premultiplied alpha. Channels have EXR
-/// names
-/// ("R", "G", "B", "A", "Z", "albedo.R", "normal.X"), so that layers are just channels.
+/// names ("R", "G", "B", "A", "Z", "albedo.R", "normal.X"), so that layers are just channels. An image lies on the
+/// picture's plane at its data window; the display window is what of the plane is shown. All of width(), at() and
+/// row() count from the data window's corner.
 class Image {
  public:
   Image() = default;
@@ -23,6 +30,11 @@ class Image {
 
   int width() const { return width_; }
   int height() const { return height_; }
+  Window data_window() const { return {origin_.x, origin_.y, width_, height_}; }
+  /// The data window itself unless place() said otherwise.
+  Window display_window() const { return display_.width > 0 ? display_ : data_window(); }
+  /// Puts pixel (0, 0) at `origin` of the plane of which `display` is shown. Throws Error when `display` is empty.
+  void place(Vec2i origin, const Window& display);
   std::size_t channel_count() const { return channels_.size(); }
   const std::vector<std::string>& channels() const { return channels_; }
   std::optional<std::size_t> channel(std::string_view name) const;
@@ -53,6 +65,8 @@ class Image {
            channels_.size();
   }
   int width_ = 0, height_ = 0;
+  Vec2i origin_{0};
+  Window display_;  // no width: the data window
   std::vector<std::string> channels_;
   std::vector<float> pixels_;
 };

@@ -51,5 +51,15 @@ TEST(Image, RefusesSizesThatNoImageHas) {
             "an image of 65536x32768 with 2 channels is too large");
 }
 
+TEST(Image, WindowsFollowThePixelsUntilPlaced) {
+  Image image(4, 3, rgb_channels());
+  EXPECT_EQ(image.data_window(), (Window{0, 0, 4, 3}));
+  EXPECT_EQ(image.display_window(), image.data_window());
+  image.place({-1, 2}, {0, 0, 10, 8});
+  EXPECT_EQ(image.data_window(), (Window{-1, 2, 4, 3}));
+  EXPECT_EQ(image.display_window(), (Window{0, 0, 10, 8}));
+  EXPECT_THROW(image.place({0, 0}, {0, 0, 0, 8}), Error);
+}
+
 }  // namespace
 }  // namespace lambert
