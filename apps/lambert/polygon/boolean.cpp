@@ -9,6 +9,7 @@
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 namespace {
 

@@ -18,6 +18,7 @@
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 namespace {
 

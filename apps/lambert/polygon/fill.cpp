@@ -19,6 +19,7 @@
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 namespace {
 

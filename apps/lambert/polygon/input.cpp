@@ -13,6 +13,7 @@
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 namespace {
 

@@ -8,6 +8,7 @@
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 namespace {
 

@@ -1,8 +1,8 @@
 #pragma once
 /// What the verbs of `lambert polygon` share.
 
+#include "lambert/draw/picture.h"
 #include "lambert/polygon/formats/file.h"
-#include "lambert/polygon/picture/picture.h"
 
 #include <CLI/App.hpp>
 #include <nlohmann/json_fwd.hpp>
@@ -43,10 +43,10 @@ polygon::FillRule fill_rule(const PolygonOptions& o);
 /// Writes the files that were asked for and prints their paths; prints the geometry itself when no file is for it.
 /// The format printed is that of --to, else that of the first input.
 void write_geometry(const PolygonOptions& o, polygon::FileFormat like, const polygon::Features& result,
-                    const polygon::Picture& picture);
+                    const draw::Picture& picture);
 /// Prints `text`, or `facts` with --json; -o may name a .json file or a picture.
 void write_facts(const PolygonOptions& o, const nlohmann::ordered_json& facts, const std::string& text,
-                 const polygon::Picture& picture);
+                 const draw::Picture& picture);
 /// Prints the path of a file that was written.
 void print_path(const std::string& path);
 

@@ -1,12 +1,12 @@
 #pragma once
+#include "lambert/draw/picture.h"
 #include "lambert/polygon/box.h"
-#include "lambert/polygon/picture/picture.h"
 
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace lambert::polygon {
+namespace lambert::draw {
 
 /// Where the data comes to lie on the sheet: within margins for the numbers of the grid and padding for labels, both
 /// axes to one scale, y turned downwards.
@@ -40,4 +40,4 @@ class Sheet {
   Box2 area_;
 };
 
-}  // namespace lambert::polygon
+}  // namespace lambert::draw

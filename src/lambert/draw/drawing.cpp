@@ -1,9 +1,9 @@
-#include "lambert/polygon/picture/drawing.h"
+#include "lambert/draw/drawing.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace lambert::polygon {
+namespace lambert::draw {
 namespace {
 
 Colour from_hsl(double hue, double saturation, double lightness) {
@@ -34,4 +34,4 @@ std::string hex(const Colour& colour) {
 Colour pastel(std::size_t index) { return from_hsl(hue(index), 0.72, 0.84); }
 Colour strong(std::size_t index) { return from_hsl(hue(index), 0.75, 0.40); }
 
-}  // namespace lambert::polygon
+}  // namespace lambert::draw

@@ -1,10 +1,11 @@
-#include "lambert/polygon/picture/sheet.h"
+#include "lambert/draw/sheet.h"
+
+#include "lambert/draw/axis_scale.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
-namespace lambert::polygon {
+namespace lambert::draw {
 
 Sheet::Sheet(const Box2& box, const PictureOptions& options, double title_height) {
   const Vec2d half_min = box.empty() ? Vec2d(-0.5) : 0.5 * box.min, half_max = box.empty() ? Vec2d(0.5) : 0.5 * box.max;
@@ -45,22 +46,16 @@ Sheet::Ticks Sheet::ticks(int axis) const {
   Ticks found;
   const double pixels = axis == 0 ? area_.max.x - area_.min.x : area_.max.y - area_.min.y;
   const double centre = 2 * half_centre_[axis], reach = pixels * half_pixel_;
-  const double wanted = 200 * half_pixel_, power = std::pow(10.0, std::floor(std::log10(wanted)));
-  double step = power;
-  for (const double factor : {2.0, 5.0, 10.0})
-    if (power * factor <= wanted * 1.4) step = power * factor;
+  const double step = round_step(200 * half_pixel_);
   const double first = std::ceil((centre - reach) / step), last = std::floor((centre + reach) / step);
   if (!std::isfinite(step) || !(step > 0) || !(last - first < 1000) || std::abs(first) > 1e12 || std::abs(last) > 1e12)
     return found;
   for (double k = first; k <= last; ++k) {
     Vec2d p = 2.0 * half_centre_;
     p[axis] = k * step;
-    // Twelve digits hide that steps such as 0.1 are no doubles.
-    char text[32];
-    std::snprintf(text, sizeof text, "%.12g", p[axis] + 0.0);
-    found.emplace_back(point(p)[axis], text);
+    found.emplace_back(point(p)[axis], tick_text(p[axis]));
   }
   return found;
 }
 
-}  // namespace lambert::polygon
+}  // namespace lambert::draw

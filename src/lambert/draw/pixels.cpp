@@ -1,13 +1,16 @@
-#include "lambert/polygon/picture/pixels.h"
+#include "lambert/draw/pixels.h"
 
-#include "lambert/polygon/picture/outline.h"
-#include "lambert/polygon/picture/stroke_font.h"
+#include "lambert/draw/outline.h"
+#include "lambert/draw/stroke_font.h"
+#include "lambert/image/colour.h"
 #include "lambert/polygon/scan_fill.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace lambert::polygon {
+namespace lambert::draw {
+
+using namespace polygon;
 namespace {
 
 constexpr int samples = 4;  ///< a side of a pixel
@@ -101,4 +104,10 @@ Pixels rasterised(const Drawing& drawing) {
   return canvas.take();
 }
 
-}  // namespace lambert::polygon
+Image to_image(const Pixels& pixels) {
+  Image image(pixels.width, pixels.height, rgb_channels());
+  std::transform(pixels.rgb.begin(), pixels.rgb.end(), image.pixels().begin(), srgb_decode8);
+  return image;
+}
+
+}  // namespace lambert::draw

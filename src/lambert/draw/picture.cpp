@@ -1,13 +1,16 @@
-#include "lambert/polygon/picture/picture.h"
+#include "lambert/draw/picture.h"
 
-#include "lambert/polygon/picture/label_room.h"
-#include "lambert/polygon/picture/sheet.h"
-#include "lambert/polygon/picture/stroke_font.h"
+#include "lambert/draw/label_room.h"
+#include "lambert/draw/sheet.h"
+#include "lambert/draw/stroke_font.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace lambert::polygon {
+namespace lambert::draw {
+
+using namespace polygon;
+
 namespace {
 
 constexpr Colour black{36, 41, 47}, grey{110, 119, 129}, faint{234, 238, 242};
@@ -166,8 +169,8 @@ void add_indices(Picture& picture, const Rings& rings, const Colour& colour, std
   }
 }
 
-Drawing draw(const Picture& picture, const PictureOptions& options) {
+Drawing drawn(const Picture& picture, const PictureOptions& options) {
   return Artist(picture, options).finish(options.grid);
 }
 
-}  // namespace lambert::polygon
+}  // namespace lambert::draw

@@ -1,10 +1,12 @@
 #pragma once
-#include "lambert/polygon/picture/drawing.h"
+#include "lambert/draw/drawing.h"
+
+#include "lambert/image/image.h"
 
 #include <cstdint>
 #include <vector>
 
-namespace lambert::polygon {
+namespace lambert::draw {
 
 /// sRGB pixels without alpha, row 0 at the top.
 struct Pixels {
@@ -16,4 +18,7 @@ struct Pixels {
 /// left out. At most 8192 pixels a side, where larger drawings end.
 Pixels rasterised(const Drawing& drawing);
 
-}  // namespace lambert::polygon
+/// The same in linear light, channels R, G, B.
+Image to_image(const Pixels& pixels);
+
+}  // namespace lambert::draw

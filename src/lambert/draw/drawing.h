@@ -1,6 +1,7 @@
 #pragma once
 /// A picture as marks on a sheet, in pixels with y down: what is written as SVG or turned into pixels.
 
+#include "lambert/polygon/box.h"
 #include "lambert/polygon/ring.h"
 
 #include <cstdint>
@@ -8,7 +9,12 @@
 #include <variant>
 #include <vector>
 
-namespace lambert::polygon {
+namespace lambert::draw {
+
+using polygon::Box2;
+using polygon::FillRule;
+using polygon::Ring;
+using polygon::Rings;
 
 /// sRGB, with opacity in [0, 1].
 struct Colour {
@@ -62,4 +68,4 @@ struct Drawing {
   std::vector<std::variant<Fill, Stroke, Disk, Words>> marks;
 };
 
-}  // namespace lambert::polygon
+}  // namespace lambert::draw

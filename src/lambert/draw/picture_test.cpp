@@ -1,16 +1,16 @@
-#include "lambert/polygon/picture/picture.h"
+#include "lambert/draw/picture.h"
 
-#include "lambert/polygon/picture/outline.h"
-#include "lambert/polygon/picture/pixels.h"
-#include "lambert/polygon/picture/stroke_font.h"
-#include "lambert/polygon/picture/svg.h"
+#include "lambert/draw/outline.h"
+#include "lambert/draw/pixels.h"
+#include "lambert/draw/stroke_font.h"
+#include "lambert/draw/svg.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace lambert::polygon {
+namespace lambert::draw {
 namespace {
 
 const Rings square = {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}};
@@ -32,7 +32,7 @@ std::vector<Mark> marks_of(const Drawing& drawing) {
 }
 
 TEST(Picture, KeepsTheShapeAndTurnsYDown) {
-  const Drawing drawing = draw(square_picture());
+  const Drawing drawing = drawn(square_picture());
   const Ring ring = marks_of<Fill>(drawing).at(0).rings.at(0);
   EXPECT_NEAR(ring[1].x - ring[0].x, ring[0].y - ring[3].y, 1e-9);
   EXPECT_GT(ring[0].y, ring[3].y);
@@ -45,7 +45,7 @@ TEST(Picture, KeepsTheShapeAndTurnsYDown) {
 }
 
 TEST(Picture, IndicesStandOutsideOfTheirCorners) {
-  const Drawing drawing = draw(square_picture(), {.grid = false});
+  const Drawing drawing = drawn(square_picture(), {.grid = false});
   const Ring ring = marks_of<Fill>(drawing).at(0).rings.at(0);
   const Vec2d centre = (ring[0] + ring[2]) / 2.0;
   for (const Words& words : marks_of<Words>(drawing)) {
@@ -61,7 +61,7 @@ TEST(Picture, LabelsDoNotCoverEachOther) {
   Ring crowd;
   for (int i = 0; i < 500; ++i) crowd.push_back({std::cos(i * 0.7), std::sin(i * 1.3)});
   add_indices(picture, {crowd}, {});
-  const std::vector<Words> labels = marks_of<Words>(draw(picture, {.grid = false}));
+  const std::vector<Words> labels = marks_of<Words>(drawn(picture, {.grid = false}));
   EXPECT_GT(labels.size(), 50u);
   for (std::size_t i = 0; i < labels.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
@@ -77,24 +77,24 @@ TEST(Picture, AnyFiniteCoordinatesAreDrawn) {
       const Rings rings = {{{low, low}, {high, low}, {high, high}}, {{low, low}}, {}};
       picture.areas.push_back({.rings = rings, .fill = {}, .edge = {}});
       add_indices(picture, rings, {});
-      const Drawing drawing = draw(picture);
+      const Drawing drawing = drawn(picture);
       EXPECT_GT(drawing.height, 0);
       EXPECT_LT(drawing.height, 1200);
       EXPECT_EQ(svg_text(drawing).find("nan"), std::string::npos) << size << " " << offset;
       EXPECT_EQ(svg_text(drawing).find("inf"), std::string::npos) << size << " " << offset;
       rasterised(drawing);
     }
-  EXPECT_GT(draw({}).width, 0);
+  EXPECT_GT(drawn({}).width, 0);
 }
 
 TEST(Picture, SvgEscapesTextAndPaintsByTheRule) {
   Picture picture = square_picture();
-  const std::string svg = svg_text(draw(picture));
+  const std::string svg = svg_text(drawn(picture));
   EXPECT_NE(svg.find("a &lt;square> &amp; more"), std::string::npos);
   EXPECT_NE(svg.find("fill-rule=\"evenodd\""), std::string::npos);
   picture.areas[0].rule = FillRule::non_zero;
   picture.legend.clear();
-  EXPECT_EQ(svg_text(draw(picture)).find("fill-rule"), std::string::npos);
+  EXPECT_EQ(svg_text(drawn(picture)).find("fill-rule"), std::string::npos);
 }
 
 TEST(Pixels, AreCoveredByArea) {
@@ -149,4 +149,4 @@ TEST(StrokeFont, EveryLetterHasAShapeAndAWidth) {
 }
 
 }  // namespace
-}  // namespace lambert::polygon
+}  // namespace lambert::draw

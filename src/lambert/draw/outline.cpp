@@ -1,10 +1,13 @@
-#include "lambert/polygon/picture/outline.h"
+#include "lambert/draw/outline.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace lambert::polygon {
+namespace lambert::draw {
+
+using namespace polygon;
+
 namespace {
 
 /// Calls piece(a, b) for what is drawn of the segments: all of it, or every second dash along the whole stroke.
@@ -57,4 +60,4 @@ Rings outline(const Stroke& stroke, double pixel) {
   return rings;
 }
 
-}  // namespace lambert::polygon
+}  // namespace lambert::draw

@@ -1,9 +1,9 @@
-#include "lambert/polygon/picture/stroke_font.h"
+#include "lambert/draw/stroke_font.h"
 
 #include <algorithm>
 #include <array>
 
-namespace lambert::polygon {
+namespace lambert::draw {
 namespace {
 
 /// Each character from ' ' to '~' as strokes, with a blank between them: the points of a grid, two digits each, x to
@@ -149,4 +149,4 @@ double text_width(std::string_view text, double size) {
   return std::max(0.0, units - gap) * size / units_per_size;
 }
 
-}  // namespace lambert::polygon
+}  // namespace lambert::draw

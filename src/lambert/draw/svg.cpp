@@ -1,11 +1,11 @@
-#include "lambert/polygon/picture/svg.h"
+#include "lambert/draw/svg.h"
 
 #include "lambert/base/number.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace lambert::polygon {
+namespace lambert::draw {
 namespace {
 
 bool is_finite(const Ring& points) {
@@ -102,4 +102,4 @@ std::string svg_text(const Drawing& drawing) {
   return writer.take();
 }
 
-}  // namespace lambert::polygon
+}  // namespace lambert::draw

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace lambert::polygon {
+namespace lambert::draw {
 
 /// Rectangles of a sheet that do not overlap, found by a grid of cells.
 class Room {
@@ -33,4 +33,4 @@ class Room {
   std::unordered_map<std::int64_t, std::vector<std::pair<Vec2d, Vec2d>>> taken_;
 };
 
-}  // namespace lambert::polygon
+}  // namespace lambert::draw

@@ -2,12 +2,12 @@
 /// Pictures that show what an algorithm did: areas, lines, points, numbered vertices and a legend, in the coordinates
 /// of the data.
 
-#include "lambert/polygon/picture/drawing.h"
+#include "lambert/draw/drawing.h"
 
 #include <string>
 #include <vector>
 
-namespace lambert::polygon {
+namespace lambert::draw {
 
 struct Picture {
   struct Area {
@@ -60,6 +60,6 @@ struct PictureOptions {
 
 /// Scales the picture to the sheet, all axes alike, y up. Covers no label by another: one that finds no room is left
 /// out, and so are disks of vertices where they stand closer than their size. O(n log n). Any finite coordinates.
-Drawing draw(const Picture& picture, const PictureOptions& options = {});
+Drawing drawn(const Picture& picture, const PictureOptions& options = {});
 
-}  // namespace lambert::polygon
+}  // namespace lambert::draw
