@@ -68,4 +68,9 @@ struct Drawing {
   std::vector<std::variant<Fill, Stroke, Disk, Words>> marks;
 };
 
+/// The drawing moved by `offset`.
+Drawing moved(Drawing drawing, Vec2d offset);
+/// Drawings side by side, row by row, in cells as large as the largest.
+Drawing side_by_side(const std::vector<Drawing>& drawings, int columns);
+
 }  // namespace lambert::draw
