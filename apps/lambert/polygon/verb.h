@@ -36,6 +36,9 @@ struct PolygonInput {
 
 /// The files, or standard input when there is none or its name is "-". Throws Error.
 std::vector<PolygonInput> read_inputs(const PolygonOptions& o);
+/// Says on standard error, in a line a file, how many lines and points it holds that a verb which takes what polygons
+/// enclose leaves out, and where sizes of coordinates differ so much that the smallest count as 0 in its result.
+void note_what_counts_not(const std::vector<PolygonInput>& inputs);
 /// All features of all inputs in one collection.
 polygon::Features joined(const std::vector<PolygonInput>& inputs);
 polygon::FillRule fill_rule(const PolygonOptions& o);
