@@ -1,6 +1,6 @@
 #include "families.h"
-#include "lambert/polygon/boolean.h"
-#include "lambert/polygon/valid.h"
+#include "lambert/polygon/boolean/boolean.h"
+#include "lambert/polygon/boolean/valid.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,7 +1,7 @@
 #pragma once
 /// The libraries that the booleans are measured against, one compile unit each, behind one signature.
 
-#include "lambert/polygon/boolean.h"
+#include "lambert/polygon/boolean/boolean.h"
 
 #include <memory>
 #include <string>

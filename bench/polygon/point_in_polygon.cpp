@@ -1,6 +1,6 @@
 // Points at random in the box of an outline: the prepared index against the plain test.
 
-#include "lambert/polygon/point_locator.h"
+#include "lambert/polygon/locate/point_locator.h"
 #include "outlines.h"
 
 #include <benchmark/benchmark.h>

@@ -1,7 +1,7 @@
 // Whether a ring is simple, and all crossings of many segments.
 
-#include "lambert/polygon/simple.h"
-#include "lambert/polygon/intersections.h"
+#include "lambert/polygon/queries/simple.h"
+#include "lambert/polygon/sweep/intersections.h"
 #include "outlines.h"
 
 #include <benchmark/benchmark.h>

@@ -3,9 +3,9 @@
 ///   bench_triangulate            the table
 ///   bench_triangulate FOLDER     also writes the polygons there, for triangulate_earcut.py
 
-#include "lambert/polygon/triangulate.h"
-#include "lambert/polygon/delaunay.h"
-#include "lambert/polygon/ear_clipping.h"
+#include "lambert/polygon/decompose/triangulate.h"
+#include "lambert/polygon/decompose/delaunay.h"
+#include "lambert/polygon/decompose/ear_clipping.h"
 #include "lambert/polygon/test_polygons.h"
 #include "triangulate_cgal.h"
 

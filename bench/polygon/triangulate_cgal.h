@@ -1,5 +1,5 @@
 #pragma once
-#include "lambert/polygon/flat_rings.h"
+#include "lambert/polygon/decompose/flat_rings.h"
 
 #include <cstddef>
 

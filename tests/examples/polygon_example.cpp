@@ -3,9 +3,9 @@
 #include "lambert/base/file.h"
 #include "lambert/draw/picture.h"
 #include "lambert/draw/svg.h"
-#include "lambert/polygon/boolean.h"
+#include "lambert/polygon/boolean/boolean.h"
+#include "lambert/polygon/decompose/triangulate.h"
 #include "lambert/polygon/formats/file.h"
-#include "lambert/polygon/triangulate.h"
 
 #include <cstdio>
 

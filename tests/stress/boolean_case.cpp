@@ -1,6 +1,6 @@
 #include "stress/boolean_case.h"
 
-#include "lambert/polygon/valid.h"
+#include "lambert/polygon/boolean/valid.h"
 
 #include <algorithm>
 #include <array>

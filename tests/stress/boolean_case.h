@@ -2,7 +2,7 @@
 /// Degenerate operands for the booleans out of any bytes, and what must hold of their results. Shared by the fuzz
 /// target and the stress program.
 
-#include "lambert/polygon/boolean.h"
+#include "lambert/polygon/boolean/boolean.h"
 
 #include <cstdint>
 #include <span>

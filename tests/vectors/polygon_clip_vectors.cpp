@@ -2,11 +2,11 @@
 
 #include "lambert/geometry/extrude.h"
 #include "lambert/geometry/revolve.h"
-#include "lambert/polygon/components.h"
-#include "lambert/polygon/half_plane_clip.h"
-#include "lambert/polygon/line_through.h"
-#include "lambert/polygon/scan_table.h"
-#include "lambert/polygon/window_clip.h"
+#include "lambert/polygon/clip/components.h"
+#include "lambert/polygon/clip/half_plane_clip.h"
+#include "lambert/polygon/clip/window_clip.h"
+#include "lambert/polygon/queries/line_through.h"
+#include "lambert/polygon/scan/scan_table.h"
 
 #include <gtest/gtest.h>
 

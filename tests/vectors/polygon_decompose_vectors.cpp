@@ -1,8 +1,8 @@
 #include "vectors.h"
 
-#include "lambert/polygon/predicates.h"
-#include "lambert/polygon/strips.h"
-#include "lambert/polygon/trapezoids.h"
+#include "lambert/polygon/decompose/strips.h"
+#include "lambert/polygon/decompose/trapezoids.h"
+#include "lambert/polygon/predicates/predicates.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 #include "vectors.h"
 
-#include "lambert/polygon/convex.h"
-#include "lambert/polygon/half_plane.h"
-#include "lambert/polygon/normal.h"
-#include "lambert/polygon/pick.h"
-#include "lambert/polygon/point_in_polygon.h"
-#include "lambert/polygon/point_locator.h"
-#include "lambert/polygon/segment.h"
-#include "lambert/polygon/simple.h"
+#include "lambert/polygon/locate/point_locator.h"
+#include "lambert/polygon/predicates/half_plane.h"
+#include "lambert/polygon/queries/convex.h"
+#include "lambert/polygon/queries/normal.h"
+#include "lambert/polygon/queries/pick.h"
+#include "lambert/polygon/queries/point_in_polygon.h"
+#include "lambert/polygon/queries/segment.h"
+#include "lambert/polygon/queries/simple.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/number.h"
-#include "lambert/polygon/boolean.h"
+#include "lambert/polygon/boolean/boolean.h"
 #include "lambert/polygon/box.h"
 
 #include <cmath>

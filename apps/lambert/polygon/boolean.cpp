@@ -2,7 +2,7 @@
 
 #include "../command.h"
 
-#include "lambert/polygon/boolean.h"
+#include "lambert/polygon/boolean/boolean.h"
 
 #include <CLI/CLI.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "../command.h"
 
-#include "lambert/polygon/check.h"
+#include "lambert/polygon/queries/check.h"
 
 namespace lambert::cli {
 

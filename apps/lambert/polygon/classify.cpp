@@ -2,10 +2,10 @@
 
 #include "../command.h"
 
-#include "lambert/polygon/convex.h"
-#include "lambert/polygon/intersections.h"
-#include "lambert/polygon/normal.h"
-#include "lambert/polygon/simple.h"
+#include "lambert/polygon/queries/convex.h"
+#include "lambert/polygon/queries/normal.h"
+#include "lambert/polygon/queries/simple.h"
+#include "lambert/polygon/sweep/intersections.h"
 
 #include <optional>
 

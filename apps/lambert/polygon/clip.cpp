@@ -3,12 +3,12 @@
 #include "../command.h"
 
 #include "lambert/base/error.h"
-#include "lambert/polygon/boolean.h"
+#include "lambert/polygon/boolean/boolean.h"
 #include "lambert/polygon/box.h"
-#include "lambert/polygon/components.h"
-#include "lambert/polygon/half_plane_clip.h"
-#include "lambert/polygon/line_through.h"
-#include "lambert/polygon/window_clip.h"
+#include "lambert/polygon/clip/components.h"
+#include "lambert/polygon/clip/half_plane_clip.h"
+#include "lambert/polygon/clip/window_clip.h"
+#include "lambert/polygon/queries/line_through.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

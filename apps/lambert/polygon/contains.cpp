@@ -3,7 +3,7 @@
 #include "../command.h"
 
 #include "lambert/base/error.h"
-#include "lambert/polygon/point_locator.h"
+#include "lambert/polygon/locate/point_locator.h"
 
 #include <CLI/CLI.hpp>
 

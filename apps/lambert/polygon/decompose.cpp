@@ -3,9 +3,9 @@
 #include "../command.h"
 
 #include "lambert/base/error.h"
-#include "lambert/polygon/boolean.h"
-#include "lambert/polygon/convex_pieces.h"
-#include "lambert/polygon/trapezoids.h"
+#include "lambert/polygon/boolean/boolean.h"
+#include "lambert/polygon/decompose/convex_pieces.h"
+#include "lambert/polygon/decompose/trapezoids.h"
 
 #include <CLI/CLI.hpp>
 

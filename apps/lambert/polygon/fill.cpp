@@ -6,9 +6,9 @@
 #include "lambert/image/colour.h"
 #include "lambert/image/io.h"
 #include "lambert/polygon/box.h"
-#include "lambert/polygon/scale.h"
-#include "lambert/polygon/scan_fill.h"
-#include "lambert/polygon/scan_table.h"
+#include "lambert/polygon/predicates/scale.h"
+#include "lambert/polygon/scan/scan_fill.h"
+#include "lambert/polygon/scan/scan_table.h"
 
 #include <CLI/CLI.hpp>
 

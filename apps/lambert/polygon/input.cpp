@@ -3,7 +3,7 @@
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
 #include "lambert/base/number.h"
-#include "lambert/polygon/scale.h"
+#include "lambert/polygon/predicates/scale.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

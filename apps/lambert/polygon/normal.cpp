@@ -4,7 +4,7 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/number.h"
-#include "lambert/polygon/normal.h"
+#include "lambert/polygon/queries/normal.h"
 
 #include <cmath>
 

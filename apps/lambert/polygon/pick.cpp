@@ -4,8 +4,8 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/number.h"
-#include "lambert/polygon/pick.h"
-#include "lambert/polygon/segment.h"
+#include "lambert/polygon/queries/pick.h"
+#include "lambert/polygon/queries/segment.h"
 
 #include <CLI/CLI.hpp>
 

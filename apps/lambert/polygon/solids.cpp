@@ -7,7 +7,7 @@
 #include "lambert/formats/write_mesh.h"
 #include "lambert/geometry/extrude.h"
 #include "lambert/geometry/revolve.h"
-#include "lambert/polygon/boolean.h"
+#include "lambert/polygon/boolean/boolean.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

@@ -4,11 +4,11 @@
 #include "../command.h"
 
 #include "lambert/base/error.h"
-#include "lambert/polygon/boolean.h"
-#include "lambert/polygon/delaunay.h"
-#include "lambert/polygon/ear_clipping.h"
-#include "lambert/polygon/strips.h"
-#include "lambert/polygon/triangulate.h"
+#include "lambert/polygon/boolean/boolean.h"
+#include "lambert/polygon/decompose/delaunay.h"
+#include "lambert/polygon/decompose/ear_clipping.h"
+#include "lambert/polygon/decompose/strips.h"
+#include "lambert/polygon/decompose/triangulate.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

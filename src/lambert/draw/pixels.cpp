@@ -3,7 +3,7 @@
 #include "lambert/draw/outline.h"
 #include "lambert/draw/stroke_font.h"
 #include "lambert/image/colour.h"
-#include "lambert/polygon/scan_fill.h"
+#include "lambert/polygon/scan/scan_fill.h"
 
 #include <algorithm>
 #include <cmath>

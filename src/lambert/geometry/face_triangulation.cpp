@@ -1,7 +1,7 @@
 #include "lambert/geometry/mesh.h"
-#include "lambert/polygon/convex.h"
-#include "lambert/polygon/ear_clipping.h"
-#include "lambert/polygon/normal.h"
+#include "lambert/polygon/decompose/ear_clipping.h"
+#include "lambert/polygon/queries/convex.h"
+#include "lambert/polygon/queries/normal.h"
 
 #include <algorithm>
 #include <cmath>

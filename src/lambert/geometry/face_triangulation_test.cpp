@@ -1,6 +1,6 @@
 #include "lambert/geometry/mesh.h"
 #include "lambert/geometry/shape_test_tools.h"
-#include "lambert/polygon/normal.h"
+#include "lambert/polygon/queries/normal.h"
 
 #include <gtest/gtest.h>
 

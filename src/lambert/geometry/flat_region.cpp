@@ -1,8 +1,8 @@
 #include "lambert/geometry/flat_region.h"
 
 #include "lambert/base/error.h"
-#include "lambert/polygon/predicates.h"
-#include "lambert/polygon/triangulate.h"
+#include "lambert/polygon/decompose/triangulate.h"
+#include "lambert/polygon/predicates/predicates.h"
 
 #include <glm/common.hpp>
 

@@ -1,7 +1,7 @@
 #include "lambert/base/error.h"
 #include "lambert/geometry/ray_tests.h"
 #include "lambert/geometry/shape.h"
-#include "lambert/polygon/normal.h"
+#include "lambert/polygon/queries/normal.h"
 #include "lambert/sampling/warp.h"
 
 #include <algorithm>

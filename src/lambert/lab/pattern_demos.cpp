@@ -7,7 +7,7 @@
 #include "lambert/lab/demo.h"
 #include "lambert/lab/periodogram.h"
 #include "lambert/lab/scenes.h"
-#include "lambert/polygon/half_plane_clip.h"
+#include "lambert/polygon/clip/half_plane_clip.h"
 
 #include <fmt/format.h>
 

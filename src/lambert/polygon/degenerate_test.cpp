@@ -1,12 +1,12 @@
 // Grids, repeated points and sizes from the smallest to the largest double: the fast queries must agree with the plain
 // ones, and all must end.
 
-#include "lambert/polygon/convex.h"
-#include "lambert/polygon/edge_hits.h"
-#include "lambert/polygon/intersections.h"
-#include "lambert/polygon/pick.h"
-#include "lambert/polygon/point_locator.h"
-#include "lambert/polygon/simple.h"
+#include "lambert/polygon/locate/point_locator.h"
+#include "lambert/polygon/queries/convex.h"
+#include "lambert/polygon/queries/pick.h"
+#include "lambert/polygon/queries/simple.h"
+#include "lambert/polygon/sweep/edge_hits.h"
+#include "lambert/polygon/sweep/intersections.h"
 
 #include <gtest/gtest.h>
 

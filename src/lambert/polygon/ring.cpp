@@ -1,6 +1,6 @@
 #include "lambert/polygon/ring.h"
 
-#include "lambert/polygon/scale.h"
+#include "lambert/polygon/predicates/scale.h"
 
 namespace lambert::polygon {
 namespace {

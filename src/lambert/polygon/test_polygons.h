@@ -1,7 +1,7 @@
 #pragma once
 /// Polygons that tests and benchmarks share.
 
-#include "lambert/polygon/predicates.h"
+#include "lambert/polygon/predicates/predicates.h"
 #include "lambert/polygon/ring.h"
 
 #include <algorithm>

@@ -67,7 +67,9 @@ TEST(Patterns, EveryPrefixOfBestCandidatesIsWellSpread) {
     const std::vector<Vec2> poor(random.begin(), random.begin() + static_cast<std::ptrdiff_t>(n));
     const double packed = std::sqrt(2 / (std::sqrt(3.0) * static_cast<double>(n)));
     EXPECT_GT(smallest_separation(prefix), 0.5 * packed) << n;
-    if (n >= 64) EXPECT_LT(smallest_separation(poor), 0.35 * packed) << n;
+    if (n >= 64) {
+      EXPECT_LT(smallest_separation(poor), 0.35 * packed) << n;
+    }
   }
 }
 

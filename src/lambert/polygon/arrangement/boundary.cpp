@@ -2,7 +2,7 @@
 
 #include "lambert/polygon/arrangement/loop.h"
 #include "lambert/polygon/arrangement/walk.h"
-#include "lambert/polygon/predicates.h"
+#include "lambert/polygon/predicates/predicates.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "lambert/polygon/arrangement/crossing.h"
 
-#include "lambert/polygon/expansion.h"
+#include "lambert/polygon/predicates/expansion.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 /// Where two edges cross, rounded.
 
-#include "lambert/polygon/predicates.h"
+#include "lambert/polygon/predicates/predicates.h"
 
 #include <algorithm>
 #include <cmath>

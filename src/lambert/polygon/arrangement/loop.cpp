@@ -1,6 +1,6 @@
 #include "lambert/polygon/arrangement/loop.h"
 
-#include "lambert/polygon/predicates.h"
+#include "lambert/polygon/predicates/predicates.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "lambert/polygon/arrangement/network.h"
 #include "lambert/polygon/arrangement/subdivision.h"
-#include "lambert/polygon/valid.h"
+#include "lambert/polygon/boolean/valid.h"
 
 #include <gtest/gtest.h>
 #include <cmath>

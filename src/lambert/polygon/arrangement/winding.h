@@ -1,7 +1,7 @@
 #pragma once
 /// How often the rings of both operands wind around a place, and what that means.
 
-#include "lambert/polygon/boolean.h"
+#include "lambert/polygon/boolean/boolean.h"
 
 #include <cstdint>
 
