@@ -49,7 +49,7 @@ std::string tiff(const Layout& l, const std::string& samples) {
   } else {
     TIFFSetField(file, TIFFTAG_ROWSPERSTRIP, 1);
     const bool planes = l.plane == PLANARCONFIG_SEPARATE;
-    const std::size_t row = planes ? width : width * pixel;
+    const std::size_t row = planes ? width * static_cast<std::size_t>(l.bits) / 8 : width * pixel;
     for (std::size_t i = 0; i * row < samples.size(); ++i) {
       std::string line = samples.substr(i * row, row);
       TIFFWriteScanline(file, line.data(), static_cast<std::uint32_t>(i % height),
