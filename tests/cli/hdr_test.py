@@ -33,7 +33,7 @@ class Hdr(CommandLineTest):
         return self.lambert("hdr", *arguments, status=status)
 
     def facts(self, *arguments):
-        return json.loads(self.hdr("merge", *arguments, "--json", "--quiet").stdout.split("\n", 1)[1])
+        return json.loads(self.hdr("merge", *arguments, "--json", "--quiet").stdout)
 
     def setUp(self):
         super().setUp()
@@ -46,7 +46,9 @@ class Hdr(CommandLineTest):
     def test_merge_takes_back_what_expose_wrote(self):
         self.expose()
         self.assertEqual(self.files(), ["map.exr"] + [f"shot_{i:02}.png" for i in range(5)] + ["shots.txt"])
-        facts = self.facts("shots.txt", "-o", "back.exr", "--response-out", "r.csv")
+        facts = self.facts("shots.txt", "-o", "back.exr", "--response-out", "r.csv", "--plot", "r.svg")
+        self.assertEqual(facts["written"], ["back.exr", "r.csv", "r.svg"])
+        self.assertIn("exposure (1 saturates)", (self.folder / "r.svg").read_text())
         self.assertEqual(facts["response"], "srgb")
         self.assertEqual([p["exposure"] for p in facts["photographs"]], [2.0**s for s in (-6, -4, -2, 0, 2)])
         before = json.loads(self.hdr("range", "map.exr", "--json").stdout)

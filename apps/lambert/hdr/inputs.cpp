@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace lambert::cli {
 namespace {
@@ -163,6 +164,6 @@ double middle_noise(const hdr::CodeNoise& noise) {
   return static_cast<double>(most);
 }
 
-void print_written(const std::string& path) { fmt::print("{}\n", path); }
+void print_written(const std::string& path) { fmt::print("{}\n", std::filesystem::absolute(path).string()); }
 
 }  // namespace lambert::cli

@@ -1,3 +1,4 @@
+#include "plot.h"
 #include "verb.h"
 
 #include "../command.h"
@@ -22,7 +23,7 @@ namespace {
 struct Options {
   StackOptions stack;
   RecoveryOptions recovery;
-  std::string output, response_out, weights = "variance", ghosts = "auto";
+  std::string output, response_out, plot, weights = "variance", ghosts = "auto";
   hdr::SensorNoise noise;
   hdr::GhostSettings ghost;
   double scale = 1;
@@ -81,6 +82,7 @@ int run(const Options& o) {
     throw Error(o.output + ": radiance does not fit a display format; expected .exr, .hdr or .pfm");
   check_writable(o.output);
   if (!o.response_out.empty()) check_writable(o.response_out);
+  if (!o.plot.empty()) check_writable(o.plot);
   const hdr::Weighting weights = hdr::weighting(o.weights);
   if (o.ghosts != "auto" && o.ghosts != "off")
     throw Error("unknown --ghosts " + unknown_word(o.ghosts, {"auto", "off"}));
@@ -98,14 +100,22 @@ int run(const Options& o) {
   if (o.scale != 1)
     for (float& v : merged.image.pixels()) v *= static_cast<float>(o.scale);
   write_image(o.output, merged.image);
-  print_written(o.output);
+  std::vector<std::string> written{o.output};
   if (!o.response_out.empty()) {
     write_atomically(o.response_out, hdr::response_csv(recovery.response, hdr::ResponseTable::by_exposure));
-    print_written(o.response_out);
+    written.push_back(o.response_out);
   }
-  const nlohmann::ordered_json facts = facts_of(loaded, recovery, merged, masks.count());
+  if (!o.plot.empty()) {
+    plot_response(o.plot, recovery.response);
+    written.push_back(o.plot);
+  }
+  nlohmann::ordered_json facts = facts_of(loaded, recovery, merged, masks.count());
+  facts["written"] = written;
   if (!o.quiet) say(facts);
-  if (o.json) fmt::print("{}\n", facts.dump(2));
+  if (o.json)
+    fmt::print("{}\n", facts.dump(2));
+  else
+    for (const std::string& path : written) print_written(path);
   return done;
 }
 
@@ -117,6 +127,7 @@ std::function<int()> add_hdr_merge(CLI::App& app) {
   app.add_option("-o,--output", o.output, "Radiance map: .exr, .hdr or .pfm")->type_name("FILE")->required();
   add_recovery_options(app, o.recovery);
   app.add_option("--response-out", o.response_out, "Write the response as CSV")->type_name("FILE");
+  app.add_option("--plot", o.plot, "Draw the response (.svg or an image)")->type_name("FILE");
   app.add_option("--weights", o.weights, "variance, hat, gaussian, robertson")
       ->type_name("NAME")
       ->capture_default_str();

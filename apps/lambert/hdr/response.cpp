@@ -1,3 +1,4 @@
+#include "plot.h"
 #include "verb.h"
 
 #include "../command.h"
@@ -14,7 +15,7 @@ namespace {
 struct Options {
   StackOptions stack;
   RecoveryOptions recovery;
-  std::string output, table = "exposure";
+  std::string output, plot, table = "exposure";
 };
 
 int run(const Options& o) {
@@ -26,6 +27,7 @@ int run(const Options& o) {
   if (recovery.samples > 0)
     log::info(fmt::format("response: {}, from {} samples, noise {:.2g} codes", recovery.model, recovery.samples,
                           middle_noise(recovery.noise)));
+  if (!o.plot.empty()) plot_response(o.plot, recovery.response);
   if (o.output.empty()) {
     fmt::print("{}", csv);
   } else {
@@ -42,6 +44,7 @@ std::function<int()> add_hdr_response(CLI::App& app) {
   add_stack_options(app, o.stack);
   add_recovery_options(app, o.recovery);
   app.add_option("-o,--output", o.output, "CSV file; standard output when not given")->type_name("FILE");
+  app.add_option("--plot", o.plot, "Draw it (.svg or an image)")->type_name("FILE");
   app.add_option("--by", o.table, "Rows: by exposure (what code it gives) or by code (what exposure is behind it)")
       ->type_name("KEY")
       ->check(CLI::IsMember({"exposure", "code"}))

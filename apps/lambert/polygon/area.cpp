@@ -2,25 +2,33 @@
 
 #include "../command.h"
 
+#include "lambert/base/error.h"
 #include "lambert/base/number.h"
 #include "lambert/polygon/boolean.h"
 #include "lambert/polygon/box.h"
 
+#include <cmath>
+
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 namespace {
 
-double perimeter(const Rings& rings) {
-  double sum = 0;
-  for (const Ring& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i) sum += glm::length(ring[next_index(i, ring.size())] - ring[i]);
-  return sum;
+/// Throws Error where a double cannot hold an area: it would come out as infinite, or as nothing.
+void check_range(const PathPlace& place, const Regions& regions, double enclosed, double around) {
+  if (regions.empty()) return;
+  const char* const size = !std::isfinite(enclosed) || !std::isfinite(around) ? "above 1.8e308"
+                           : !(enclosed > 0)                                  ? "below 4.9e-324"
+                                                                              : nullptr;
+  if (size)
+    throw Error(place.text() + ": the area is " + size + ", beyond the range of numbers; use another unit of length");
 }
 
 int run(const PolygonOptions& o) {
   const std::vector<PolygonInput> inputs = read_inputs(o);
+  note_what_counts_not(inputs);
   const FillRule rule = fill_rule(o);
   nlohmann::ordered_json features = nlohmann::json::array();
   std::string text;
@@ -35,8 +43,9 @@ int run(const PolygonOptions& o) {
       const Rings boundary = rings_of(regions);
       const Box2 box = box_of(rings);
       const double enclosed = area(regions);
-      total += enclosed;
       const PathPlace place{&input, i, {}, {}, {}};
+      check_range(place, regions, enclosed, perimeter(boundary));
+      total += enclosed;
       nlohmann::ordered_json j = place.json();
       j["area"] = enclosed;
       j["perimeter"] = perimeter(boundary);
@@ -50,6 +59,7 @@ int run(const PolygonOptions& o) {
               ", " + counted(regions.size(), "region") + ", " + counted(boundary.size() - regions.size(), "hole") +
               "\n";
     }
+  if (!std::isfinite(total)) throw Error("area: the sum of all areas is above 1.8e308, beyond the range of numbers");
   if (features.size() > 1) text += "all: area " + number_text(total) + "\n";
   write_facts(o, {{"area", total}, {"features", features}}, text, picture);
   return done;

@@ -18,6 +18,7 @@
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 namespace {
 
@@ -68,6 +69,7 @@ Regions clipped(const Feature& feature, const Clips& clips, FillRule rule) {
 int run_regions(const Options& o) {
   const Clips clips = parse_clips(o);
   const std::vector<PolygonInput> inputs = read_inputs(o);
+  note_what_counts_not(inputs);
   const FillRule rule = fill_rule(o);
   const Features all = joined(inputs);
   const Box2 box = box_of(rings_of(all));
@@ -100,6 +102,7 @@ int run_regions(const Options& o) {
 int run_line(const Options& o) {
   const ClipLine line = parse_line("--line", o.line);
   const std::vector<PolygonInput> inputs = read_inputs(o);
+  note_what_counts_not(inputs);
   const FillRule rule = fill_rule(o);
   const Features all = joined(inputs);
   Features result;

@@ -5,6 +5,7 @@
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 std::function<int()> add_convert(CLI::App& app) {
   static PolygonOptions options;

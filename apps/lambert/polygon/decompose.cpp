@@ -12,6 +12,7 @@
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 namespace {
 
@@ -24,6 +25,7 @@ struct Options : PolygonOptions {
 template <class F>
 int run_pieces(const Options& o, const std::string& title, F&& pieces_of) {
   const std::vector<PolygonInput> inputs = read_inputs(o);
+  note_what_counts_not(inputs);
   const FillRule rule = fill_rule(o);
   const Features all = joined(inputs);
   Features result;

@@ -6,6 +6,7 @@
 #include "lambert/image/colour.h"
 #include "lambert/image/io.h"
 #include "lambert/polygon/box.h"
+#include "lambert/polygon/scale.h"
 #include "lambert/polygon/scan_fill.h"
 #include "lambert/polygon/scan_table.h"
 
@@ -19,6 +20,7 @@
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 namespace {
 
@@ -47,9 +49,21 @@ void print_table(const PolygonOptions& o, const Table& table, const Picture& pic
   write_facts(o, {{"pixels", pixels}, {"rows", rows}}, text + counted(pixels, "pixel") + "\n", picture);
 }
 
+void check_reach(const std::vector<PolygonInput>& inputs) {
+  for_each_path(inputs, [](const PathPlace& place, const Path& path) {
+    if (!place.ring) return;
+    for (std::size_t i = 0; i < path.points.size(); ++i)
+      if (const Vec2d p = path.points[i]; std::abs(p.x) > scan_table_reach || std::abs(p.y) > scan_table_reach)
+        throw Error(place.text() + ", vertex " + std::to_string(i) + ": " + point_text(p) + " is beyond ±" +
+                    std::to_string(scan_table_reach) + " pixels; --resolution fits polygons of any size");
+  });
+}
+
 /// The textbook's table in the coordinates of the data.
 int run_table(const Options& o) {
   const std::vector<PolygonInput> inputs = read_inputs(o);
+  note_what_counts_not(inputs);
+  check_reach(inputs);
   const Rings rings = rings_of(joined(inputs));
   Table table;
   Picture picture{.title = "fill"};
@@ -71,14 +85,15 @@ int run_table(const Options& o) {
 
 /// The features fitted to the pixels: both axes to one scale, in the middle, y up.
 std::vector<Rings> fitted(const Features& features, Vec2i size) {
-  const Box2 box = box_of(rings_of(features));
+  const double unit = unit_scale(0.5 * sizes_of(rings_of(features)).most);
+  const Box2 box = box_of(scaled(rings_of(features), unit));
   const Vec2d extent = box.size(), half(0.5 * size.x, 0.5 * size.y);
   const double scale = std::min(extent.x > 0 ? size.x / extent.x : 1e300, extent.y > 0 ? size.y / extent.y : 1e300);
   std::vector<Rings> all;
   for (const Feature& feature : features.features) {
     all.push_back(rings_of(feature));
     for (Ring& ring : all.back())
-      for (Vec2d& p : ring) p = (p - box.centre()) * std::min(scale, 1e300) + half;
+      for (Vec2d& p : ring) p = (unit * p - box.centre()) * std::min(scale, 1e300) + half;
   }
   return all;
 }
@@ -94,6 +109,7 @@ void check_finite(const std::vector<Rings>& features) {
 int run_pixels(Options o) {
   const Vec2i size = parse_size("--resolution", o.resolution);
   const std::vector<PolygonInput> inputs = read_inputs(o);
+  note_what_counts_not(inputs);
   const FillRule rule = fill_rule(o);
   const std::vector<Rings> features = fitted(joined(inputs), size);
   check_finite(features);

@@ -1,18 +1,22 @@
-#include "verb.h"
+#include "places.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
 #include "lambert/base/number.h"
+#include "lambert/polygon/scale.h"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 namespace {
 
@@ -49,6 +53,25 @@ std::vector<PolygonInput> read_inputs(const PolygonOptions& o) {
   if (o.files.empty()) inputs.push_back(read_input("-"));
   for (const std::string& file : o.files) inputs.push_back(read_input(file));
   return inputs;
+}
+
+void note_what_counts_not(const std::vector<PolygonInput>& inputs) {
+  for (const PolygonInput& input : inputs) {
+    std::size_t lines = 0, points = 0;
+    Sizes sizes;
+    for (const Feature& feature : input.features.features) {
+      lines += feature.lines.size(), points += feature.points.points.size();
+      sizes.add(rings_of(feature));
+    }
+    std::string words = lines > 0 ? counted(lines, "line") : "";
+    if (points > 0) words += (lines > 0 ? " and " : "") + counted(points, "point");
+    if (!words.empty()) fmt::print(stderr, "lambert: note: {}: {} left out: they enclose nothing\n", input.name, words);
+    // The grid of boolean.h.
+    if (sizes.most > 0 && std::ilogb(sizes.least) < std::ilogb(sizes.most) - 420)
+      fmt::print(stderr, "lambert: note: {}: beside coordinates of {} those of {} are rounded to a multiple of {}\n",
+                 input.name, number_text(sizes.most), number_text(sizes.least),
+                 number_text(std::ldexp(1.0, std::ilogb(sizes.most) - 471)));
+  }
 }
 
 Features joined(const std::vector<PolygonInput>& inputs) {

@@ -2,12 +2,16 @@
 
 #include "../command.h"
 
+#include "lambert/base/error.h"
 #include "lambert/base/number.h"
 #include "lambert/polygon/normal.h"
+
+#include <cmath>
 
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 namespace {
 
@@ -29,7 +33,10 @@ int run(const PolygonOptions& o) {
     const auto normal = newell_normal(vertices);
     all_have_one = all_have_one && normal;
     if (normal) {
-      const double sine = out_of_plane_sine(vertices), area = 0.5 * glm::length(newell_sum(vertices));
+      const double sine = out_of_plane_sine(vertices), area = face_area(vertices);
+      if (!std::isfinite(area) || area == 0)
+        throw Error(place.text() + ": the area is " + (area == 0 ? "below 4.9e-324" : "above 1.8e308") +
+                    ", beyond the range of numbers; use another unit of length");
       const bool planar = is_planar(vertices);
       j["normal"] = {normal->x + 0.0, normal->y + 0.0, normal->z + 0.0};
       j["area"] = area;
@@ -42,7 +49,9 @@ int run(const PolygonOptions& o) {
           "\n";
     } else {
       j["normal"] = nullptr;
-      text += place.text() + ": no normal: all vertices lie on a line\n";
+      const char* const reason = on_one_line(vertices) ? "all vertices lie on a line" : "its signed areas cancel";
+      j["reason"] = reason;
+      text += place.text() + ": no normal: " + reason + "\n";
     }
     rings.push_back(j);
   });

@@ -2,10 +2,9 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
-#include "lambert/image/colour.h"
+#include "lambert/draw/pixels.h"
+#include "lambert/draw/svg.h"
 #include "lambert/image/io.h"
-#include "lambert/polygon/picture/pixels.h"
-#include "lambert/polygon/picture/svg.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -16,20 +15,12 @@
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 namespace {
 
 std::string extension_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 bool is_picture(const std::string& path) { return extension_of(path) == ".svg" || extension_of(path) == ".png"; }
-
-void write_pixels(const std::string& path, const Drawing& drawing) {
-  const Pixels pixels = rasterised(drawing);
-  Image image(pixels.width, pixels.height, rgb_channels());
-  const auto out = image.pixels();
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = srgb_decode(static_cast<float>(pixels.rgb[i]) / 255.0f);
-  image.metadata["software"] = "lambert " LAMBERT_VERSION;
-  write_image(path, image);
-}
 
 /// Pictures by all flags that name one; returns what else -o names.
 std::vector<std::string> other_outputs(const PolygonOptions& o, std::vector<std::string>& pictures) {
@@ -44,12 +35,14 @@ std::string absolute(const std::string& path) { return std::filesystem::absolute
 
 void write_pictures(const std::vector<std::string>& paths, const Picture& picture, const std::string& svg) {
   if (paths.empty()) return;
-  const Drawing drawing = draw(picture);
+  const Drawing drawing = drawn(picture);
   for (const std::string& path : paths) {
     if (extension_of(path) == ".svg" || path == svg) {
       write_atomically(path, svg_text(drawing));
     } else {
-      write_pixels(path, drawing);
+      Image image = to_image(rasterised(drawing));
+      image.metadata["software"] = "lambert " LAMBERT_VERSION;
+      write_image(path, image);
     }
   }
 }

@@ -3,6 +3,7 @@
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 std::string PathPlace::text() const {
   std::string words = input->name + ": " + describe(feature_of(), feature);

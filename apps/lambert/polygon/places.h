@@ -41,13 +41,13 @@ void for_each_path(const std::vector<PolygonInput>& inputs, F&& f) {
 std::vector<Vec3d> in_space(const polygon::Path& path);
 
 /// Adds to a picture every path of the inputs: rings filled lightly, with their indices.
-void show_inputs(polygon::Picture& picture, const std::vector<PolygonInput>& inputs,
+void show_inputs(draw::Picture& picture, const std::vector<PolygonInput>& inputs,
                  polygon::FillRule rule = polygon::FillRule::even_odd);
 /// Rings of several pieces, each with a colour of its own and, while there are few, its number.
-void show_pieces(polygon::Picture& picture, const std::vector<polygon::Rings>& pieces);
+void show_pieces(draw::Picture& picture, const std::vector<polygon::Rings>& pieces);
 /// "3 rings", "1 ring"
 std::string counted(std::size_t count, const std::string& noun);
 
-inline constexpr polygon::Colour ink{36, 41, 47}, slate{87, 96, 106}, alarm{207, 34, 46};
+inline constexpr draw::Colour ink{36, 41, 47}, slate{87, 96, 106}, alarm{207, 34, 46};
 
 }  // namespace lambert::cli

@@ -18,6 +18,7 @@
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 namespace {
 
@@ -69,6 +70,7 @@ void append(TriangleMesh& all, const TriangleMesh& more) {
 int run_extrude(const ExtrudeOptions& o) {
   const Extrusion settings{.along = parse_vector("--along", o.along), .crease = degrees(o.crease)};
   const std::vector<PolygonInput> inputs = read_inputs(o);
+  note_what_counts_not(inputs);
   const Regions regions = normalised(rings_of(joined(inputs)), fill_rule(o));
   if (regions.empty()) throw Error("extrude: the polygons enclose nothing");
   return write_solid(o, extrude(regions, settings));

@@ -16,6 +16,7 @@
 namespace lambert::cli {
 
 using namespace polygon;
+using namespace draw;
 
 namespace {
 
@@ -78,6 +79,7 @@ TriangleMesh flat_mesh(const std::vector<Mesh>& meshes) {
 
 int run_triangulate(const Options& o) {
   const std::vector<PolygonInput> inputs = read_inputs(o);
+  note_what_counts_not(inputs);
   const Features all = joined(inputs);
   Features result;
   result.members = all.members, result.srid = all.srid;
@@ -104,6 +106,7 @@ int run_triangulate(const Options& o) {
 
 int run_strips(const Options& o) {
   const std::vector<PolygonInput> inputs = read_inputs(o);
+  note_what_counts_not(inputs);
   const Features all = joined(inputs);
   Picture picture;
   nlohmann::ordered_json features = nlohmann::json::array();

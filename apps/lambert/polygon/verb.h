@@ -1,8 +1,8 @@
 #pragma once
 /// What the verbs of `lambert polygon` share.
 
+#include "lambert/draw/picture.h"
 #include "lambert/polygon/formats/file.h"
-#include "lambert/polygon/picture/picture.h"
 
 #include <CLI/App.hpp>
 #include <nlohmann/json_fwd.hpp>
@@ -36,6 +36,9 @@ struct PolygonInput {
 
 /// The files, or standard input when there is none or its name is "-". Throws Error.
 std::vector<PolygonInput> read_inputs(const PolygonOptions& o);
+/// Says on standard error, in a line a file, how many lines and points it holds that a verb which takes what polygons
+/// enclose leaves out, and where sizes of coordinates differ so much that the smallest count as 0 in its result.
+void note_what_counts_not(const std::vector<PolygonInput>& inputs);
 /// All features of all inputs in one collection.
 polygon::Features joined(const std::vector<PolygonInput>& inputs);
 polygon::FillRule fill_rule(const PolygonOptions& o);
@@ -43,10 +46,10 @@ polygon::FillRule fill_rule(const PolygonOptions& o);
 /// Writes the files that were asked for and prints their paths; prints the geometry itself when no file is for it.
 /// The format printed is that of --to, else that of the first input.
 void write_geometry(const PolygonOptions& o, polygon::FileFormat like, const polygon::Features& result,
-                    const polygon::Picture& picture);
+                    const draw::Picture& picture);
 /// Prints `text`, or `facts` with --json; -o may name a .json file or a picture.
 void write_facts(const PolygonOptions& o, const nlohmann::ordered_json& facts, const std::string& text,
-                 const polygon::Picture& picture);
+                 const draw::Picture& picture);
 /// Prints the path of a file that was written.
 void print_path(const std::string& path);
 

@@ -35,6 +35,19 @@ double perimeter(const Region& region) {
   return sum;
 }
 
+TEST(Extrude, CoordinatesBeyondFloatAreRefusedInPlainWords) {
+  for (const double size : {1e40, 1e-46, 1e-150}) {
+    const Region sized{{{0, 0}, {size, 0}, {size, size}, {0, size}}, {}};
+    try {
+      extrude(sized, {.along = {0, 0, 1}});
+      ADD_FAILURE() << size;
+    } catch (const Error& e) {
+      EXPECT_NE(std::string(e.what()).find("float, in which meshes are kept"), std::string::npos) << e.what();
+    }
+  }
+  EXPECT_FALSE(extrude(Region{{{0, 0}, {1e-30, 0}, {0, 1e-30}}, {}}).triangles.empty());
+}
+
 // rows: PG-38
 TEST(Extrude, PrismsAreClosedWithTheirVolumeAndSurface) {
   for (const Region& region : {square, frame, Region{circle_of(40, 2), {}}})

@@ -34,6 +34,20 @@ void split_edges(polygon::Rings& rings) {
   }
 }
 
+/// Whether all lie within some of the least floats.
+bool is_far_below_float(const std::vector<Vec2d>& points) {
+  return std::all_of(points.begin(), points.end(),
+                     [](Vec2d p) { return std::abs(p.x) < 1e-37 && std::abs(p.y) < 1e-37; });
+}
+
+/// Of regions too small for floats, corners in one place would collapse without a word.
+void check_corners(const FlatRegion& flat, const std::string& what) {
+  for (const Triangle& t : flat.triangles)
+    for (const auto& [i, j] : {std::pair(t[0], t[1]), std::pair(t[1], t[2]), std::pair(t[2], t[0])})
+      if (Vec2(flat.vertices[i]) == Vec2(flat.vertices[j]) && is_far_below_float(flat.vertices))
+        throw Error(what + ": coordinates below 1.4e-45 vanish in float, in which meshes are kept; scale them up");
+}
+
 }  // namespace
 
 FlatRegion flat_region(const polygon::Region& region, const std::string& what) {
@@ -43,13 +57,15 @@ FlatRegion flat_region(const polygon::Region& region, const std::string& what) {
     polygon::Ring& ring = flat.rings[i];
     for (const Vec2d p : ring)
       if (!is_finite(Vec3(Vec2(p), 0)))
-        throw Error(what + ": ring " + std::to_string(i) + " has a vertex that is not finite");
+        throw Error(what + ": ring " + std::to_string(i) +
+                    " has a vertex beyond 3.4e38, the range of float, in which meshes are kept");
     if ((polygon::signed_area(ring) > 0) != (i == 0)) std::reverse(ring.begin(), ring.end());
   }
   split_edges(flat.rings);
   for (const polygon::Ring& ring : flat.rings) flat.vertices.insert(flat.vertices.end(), ring.begin(), ring.end());
   flat.triangles = polygon::triangulate(flat.rings);
   if (flat.triangles.empty()) throw Error(what + ": the region has no area");
+  check_corners(flat, what);
 
   Vec2d min = flat.vertices[0], max = min;
   for (const Vec2d p : flat.vertices) min = glm::min(min, p), max = glm::max(max, p);

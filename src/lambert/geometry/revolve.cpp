@@ -4,6 +4,7 @@
 #include "lambert/geometry/flat_region.h"
 #include "lambert/geometry/unit_circle.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lambert {
@@ -18,6 +19,15 @@ void check(const Revolution& r) {
     throw Error("revolve: expected an angle above 0 and of 360 degrees at most");
   if (const int least = r.sweep == degrees(360) ? 3 : 1; r.steps < least)
     throw Error("revolve: expected at least " + std::to_string(least) + " steps, got " + std::to_string(r.steps));
+}
+
+/// Before anything is made: a mesh has this many corners for each point of the chain.
+void check_size(std::size_t points, const Revolution& r) {
+  constexpr std::size_t most = std::size_t{1} << 22;
+  const auto steps = static_cast<std::size_t>(r.steps);
+  if (steps > most / std::max<std::size_t>(points, 1))
+    throw Error("revolve: " + std::to_string(points) + " points times " + std::to_string(steps) +
+                " steps are more than 4194304 vertices; take fewer steps");
 }
 
 /// A point as its height above the origin and its way from the line at angle 0; a quarter further on, the way is
@@ -128,7 +138,9 @@ std::vector<Spoke> spokes_of(std::span<const Vec3d> profile, const Turn& turn) {
   if (profile.size() < 2) throw Error("revolve: expected a profile of 2 points at least");
   std::vector<Spoke> spokes;
   for (const Vec3d p : profile) {
-    if (!finite(p)) throw Error("revolve: point " + std::to_string(spokes.size()) + " of the profile is not finite");
+    if (!finite(p))
+      throw Error("revolve: point " + std::to_string(spokes.size()) +
+                  " of the profile is beyond 3.4e38, the range of float, in which meshes are kept");
     spokes.push_back(turn.spoke(p));
   }
   return spokes;
@@ -158,6 +170,7 @@ SolidCounts count(std::span<const Spoke> spokes, std::span<const ProfileSegment>
 
 TriangleMesh revolve(std::span<const Vec3d> profile, const Revolution& revolution) {
   check(revolution);
+  check_size(profile.size(), revolution);
   const Turn turn(revolution);
   const std::vector<Spoke> spokes = spokes_of(profile, turn);
   TriangleMesh mesh;
@@ -167,8 +180,9 @@ TriangleMesh revolve(std::span<const Vec3d> profile, const Revolution& revolutio
 
 TriangleMesh revolve(const polygon::Region& region, const Revolution& revolution) {
   check(revolution);
-  const Turn turn(revolution);
   const FlatRegion flat = flat_region(region, "revolve");
+  check_size(flat.vertices.size(), revolution);
+  const Turn turn(revolution);
   const std::vector<Spoke> spokes = spokes_of(flat, turn);
   TriangleMesh mesh;
   std::size_t first = 0;

@@ -21,7 +21,8 @@ struct Revolution {
 /// where one end lies on the line, nothing where both do. It faces right of the chain, where the chain is drawn with
 /// the line's direction upward and the distance from the line to the right. uv: around and along the chain. A point
 /// nearer to the line than the rounding of its distance lies on it. Throws Error when there are fewer than 2 points,
-/// something is not finite, or the axis, the sweep or the steps are out of range. O(points times steps).
+/// something is not finite, or the axis, the sweep or the steps are out of range, or there would be more than 2^24
+/// vertices. O(points times steps).
 TriangleMesh revolve(std::span<const Vec3d> profile, const Revolution& revolution = {});
 
 /// The solid that a region leaves whose x is the distance from the line and y the height along it; less than a full

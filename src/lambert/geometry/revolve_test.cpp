@@ -146,6 +146,7 @@ TEST(Revolve, Errors) {
   const std::vector<Vec3d> profile{{1, 0, 0}, {1, 2, 0}};
   EXPECT_THROW(revolve(std::span(profile).first(1)), Error);
   EXPECT_THROW(revolve(profile, {.axis = {0, 0, 0}}), Error);
+  EXPECT_THROW(revolve(profile, {.steps = 1 << 30}), Error);
   EXPECT_THROW(revolve(profile, {.steps = 2}), Error);
   EXPECT_THROW(revolve(profile, {.sweep = degrees(10), .steps = 0}), Error);
   EXPECT_THROW(revolve(profile, {.sweep = degrees(400)}), Error);

@@ -7,7 +7,7 @@ using Fault = ChainCheck::Fault;
 
 template <class Point>
 ChainCheck check_list(std::span<const Point> list) {
-  if (list.size() < 4) return {Fault::too_few};
+  if (list.size() < 3 || (list.size() == 3 && list.front() == list.back())) return {Fault::too_few};
   if (list.front() != list.back()) return {Fault::not_closed, list.size() - 1};
   for (std::size_t i = 0; i + 1 < list.size(); ++i)
     if (list[i] == list[i + 1]) return {Fault::repeated_vertex, i};

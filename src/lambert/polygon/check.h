@@ -9,7 +9,7 @@
 namespace lambert::polygon {
 
 /// Whether a list of vertices is a closed chain of edges that all have a length (PG-04). The first fault counts, in
-/// this order: too few vertices, not closed, a vertex repeated.
+/// this order: too few vertices, not closed, a vertex repeated; but three vertices that are not closed want closing.
 struct ChainCheck {
   enum class Fault : std::uint8_t {
     none,

@@ -19,6 +19,8 @@ TEST(CheckClosedList, NamesTheVertexAtFault) {
   EXPECT_EQ(check({{0, 0}, {1, 0}, {1, 0}, {0, 1}, {0, 0}}), (ChainCheck{Fault::repeated_vertex, 1}));
   EXPECT_EQ(check({{0, 0}, {1, 0}, {0, 1}, {0, 0}, {0, 0}}), (ChainCheck{Fault::repeated_vertex, 3}));
   EXPECT_EQ(check({{0, 0}, {1, 0}, {0, 0}}).fault, Fault::too_few) << "a triangle has four entries";
+  EXPECT_EQ(check({{0, 0}, {1, 0}, {0, 1}}), (ChainCheck{Fault::not_closed, 2}));
+  EXPECT_EQ(check({{0, 0}, {1, 0}}).fault, Fault::too_few);
   EXPECT_EQ(check({}).fault, Fault::too_few);
 }
 
@@ -38,7 +40,7 @@ TEST(CheckRing, WorksInSpace) {
   const std::vector<Vec3d> ring{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}, folded{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}};
   EXPECT_TRUE(check_ring(ring));
   EXPECT_EQ(check_ring(folded), (ChainCheck{Fault::repeated_vertex, 1}));
-  EXPECT_EQ(check_closed_list(ring).fault, Fault::too_few);
+  EXPECT_EQ(check_closed_list(ring), (ChainCheck{Fault::not_closed, 2}));
 }
 
 }  // namespace

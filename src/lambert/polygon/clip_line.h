@@ -40,9 +40,4 @@ inline ClipLine keep_x_to(double x) { return {{x, 0}, {x, 1}}; }
 inline ClipLine keep_y_from(double y) { return {{0, y}, {1, y}}; }
 inline ClipLine keep_y_to(double y) { return {{1, y}, {0, y}}; }
 
-/// Where two edges that cross `line` from left to right, each given by its left and its right end, come along it: -1
-/// when the first comes first, 0 when they cross it in the same point. Exact while products of six coordinates, scaled
-/// so that the largest is about 1, do not fall below 2^-1022.
-int compare_crossings(const ClipLine& line, Vec2d left_1, Vec2d right_1, Vec2d left_2, Vec2d right_2);
-
 }  // namespace lambert::polygon

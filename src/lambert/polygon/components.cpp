@@ -72,17 +72,17 @@ Regions components(const Rings& rings) {
   struct Piece {
     Region region;
     Box box;
-    double area;
+    long double area;
   };
   std::vector<Piece> pieces;
   for (const Ring& ring : rings)
-    if (const double area = signed_area(ring); area > 0) pieces.push_back({{ring, {}}, box_of(ring), area});
+    if (const long double area = wide_signed_area(ring); area > 0) pieces.push_back({{ring, {}}, box_of(ring), area});
   std::vector<Piece*> by_area;
   for (Piece& piece : pieces) by_area.push_back(&piece);
   std::stable_sort(by_area.begin(), by_area.end(), [](const Piece* a, const Piece* b) { return a->area < b->area; });
 
   for (const Ring& ring : rings) {
-    if (!(signed_area(ring) < 0)) continue;
+    if (!(wide_signed_area(ring) < 0)) continue;
     const Box box = box_of(ring);
     const auto around = std::find_if(by_area.begin(), by_area.end(), [&](const Piece* piece) {
       return piece->box.contains(box) && contains(piece->region.outer, ring);

@@ -1,6 +1,7 @@
 #include "lambert/polygon/convex.h"
 
 #include "lambert/polygon/accurate.h"
+#include "lambert/polygon/exact_cross.h"
 #include "lambert/polygon/predicates.h"
 
 #include <cmath>
@@ -11,6 +12,8 @@ namespace {
 
 /// Whether the direction from a to b points to [0, pi), counted from +x to the left.
 bool upwards(Vec2d a, Vec2d b) { return a.y < b.y || (a.y == b.y && a.x < b.x); }
+
+int sign_of(long double v) { return (v > 0) - (v < 0); }
 
 Ring without_repetitions(const Ring& ring) {
   Ring distinct;
@@ -47,9 +50,13 @@ int count_revolutions(const Ring& ring) {
 
 double turning_angle(Vec2d a, Vec2d b, Vec2d c) {
   if (a == b || b == c) return 0;
-  const double sine = accurate_cross(a, b, b, c), cosine = dot(b - a, c - b);
-  if (sine == 0) return dot_sign(a, b, b, c) > 0 ? 0 : std::numbers::pi;
-  return std::atan2(sine, cosine);
+  if (orientation(a, b, c) == 0) return dot_sign(a, b, b, c) > 0 ? 0 : std::numbers::pi;
+  if (products_fit<2>({a, b, c})) return std::atan2(accurate_cross(a, b, b, c), dot(b - a, c - b));
+  const auto along = [&](int axis) {
+    return exact_difference<WideReal>(b[axis], a[axis]) * exact_difference<WideReal>(c[axis], b[axis]);
+  };
+  return static_cast<double>(
+      std::atan2(exact_cross<WideReal>(a, b, b, c).estimate(), (along(0) + along(1)).estimate()));
 }
 
 double total_turning(const Ring& ring) {
@@ -92,12 +99,10 @@ int ring_orientation(const Ring& ring) {
     if (compare_xy(distinct[i], distinct[lowest]) < 0) lowest = i;
   for (std::size_t i = 0; i < distinct.size(); ++i)
     if (i != lowest && distinct[i] == distinct[lowest]) {
-      const double twice = signed_area(ring);
-      return (twice > 0) - (twice < 0);
+      return sign_of(wide_signed_area(ring));
     }
   if (const int turn = turn_at(distinct, lowest)) return turn;
-  const double twice = signed_area(ring);
-  return (twice > 0) - (twice < 0);
+  return sign_of(wide_signed_area(ring));
 }
 
 std::vector<std::size_t> reflex_vertices(const Ring& ring) {

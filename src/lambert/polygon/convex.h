@@ -8,7 +8,8 @@
 namespace lambert::polygon {
 
 /// The angle in radians, in (-pi, pi], by which the direction turns at b on the way from a over b to c: positive to the
-/// left; 0 when two of them coincide. Rounded, but its sign is exact.
+/// left; 0 when two of them coincide. Rounded, but its sign is exact unless
+/// the angle is below 2^-1074.
 double turning_angle(Vec2d a, Vec2d b, Vec2d c);
 
 /// The sum of all turning angles in radians: 2 pi times revolutions(ring), but for rounding.

@@ -1,6 +1,7 @@
 #include "lambert/polygon/delaunay.h"
 
 #include "lambert/polygon/predicates.h"
+#include "lambert/polygon/scale.h"
 #include "lambert/polygon/sorted_points.h"
 #include "lambert/polygon/triangle_links.h"
 #include "lambert/polygon/triangulate.h"
@@ -35,7 +36,7 @@ class Flipper {
   void run() {
     for (Index side = 0; side < opposite_.size(); ++side)
       if (opposite_[side] != no_index && side < opposite_[side]) waiting_.push_back(side);
-    // Exact decisions never come back to a triangulation; more flips than this mean that they have underflown.
+    // Exact decisions never come back to a triangulation, nor can they flip more often.
     std::size_t flips_left = triangles_.size() * triangles_.size();
     while (!waiting_.empty() && flips_left > 0) {
       const Index side = waiting_.back();
@@ -79,7 +80,7 @@ class Flipper {
 }  // namespace
 
 std::vector<Triangle> delaunay(const FlatRings& rings) {
-  if (const double scale = scale_for_predicates(rings); scale != 1) return delaunay(scaled(rings, scale));
+  if (const double scale = safe_scale(sizes_of(rings.vertices)); scale != 1) return delaunay(scaled(rings, scale));
   std::vector<Triangle> triangles = triangulate(rings);
   merge_places(rings.vertices, triangles);
   Flipper(rings.vertices, triangles).run();

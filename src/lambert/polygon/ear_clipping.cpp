@@ -1,6 +1,7 @@
 #include "lambert/polygon/ear_clipping.h"
 
 #include "lambert/polygon/predicates.h"
+#include "lambert/polygon/scale.h"
 
 #include <glm/common.hpp>
 
@@ -20,7 +21,8 @@ class CornerGrid {
     Vec2d max = points[0];
     for (const Vec2d p : points) min_ = glm::min(min_, p), max = glm::max(max, p);
     const Vec2d size = max - min_;
-    cells_per_unit_ = {size.x > 0 ? side_ / size.x : 0, size.y > 0 ? side_ / size.y : 0};
+    const auto per_unit = [&](double length) { return length > 0x1p-1000 ? side_ / length : 0; };
+    cells_per_unit_ = {per_unit(size.x), per_unit(size.y)};
     start_.assign(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) + 1, 0);
     for (const std::uint32_t m : members) ++start_[cell(points[m]) + 1];
     for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
@@ -143,7 +145,10 @@ class EarClipper {
 }  // namespace
 
 std::vector<Triangle> clip_ears(std::span<const Vec2d> corners) {
-  return corners.size() < 3 ? std::vector<Triangle>{} : EarClipper(corners).run();
+  if (corners.size() < 3) return {};
+  const double scale = safe_scale(sizes_of(corners));
+  if (scale == 1) return EarClipper(corners).run();
+  return EarClipper(scaled(Ring(corners.begin(), corners.end()), scale)).run();
 }
 
 }  // namespace lambert::polygon

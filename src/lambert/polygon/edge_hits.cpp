@@ -96,11 +96,17 @@ bool misses(const Box2& box, Vec2d a, Vec2d b, Reach reach) {
   return false;
 }
 
+double common_scale(const Rings& rings, Vec2d a, Vec2d b) {
+  Sizes sizes = sizes_of(rings);
+  sizes.add(a), sizes.add(b);
+  return safe_scale(sizes);
+}
+
 }  // namespace
 
 std::vector<EdgeHit> edge_hits(const Rings& rings, Vec2d a, Vec2d b, Reach reach) {
   if (a == b) return {};
-  const double scale = scale_to_safe(rings, a, b);
+  const double scale = common_scale(rings, a, b);
   const Hits hits(scale * a, scale * b, reach, scale);
   std::vector<PlacedHit> found;
   for_each_edge(rings, [&](Vec2d c, Vec2d d, std::size_t r, std::size_t i) {
@@ -111,7 +117,7 @@ std::vector<EdgeHit> edge_hits(const Rings& rings, Vec2d a, Vec2d b, Reach reach
 
 std::optional<EdgeHit> first_edge_hit(const Rings& rings, Vec2d a, Vec2d b, Reach reach) {
   if (a == b) return std::nullopt;
-  const double scale = scale_to_safe(rings, a, b);
+  const double scale = common_scale(rings, a, b);
   const Hits hits(scale * a, scale * b, reach, scale);
   std::optional<PlacedHit> first;
   for_each_edge(rings, [&](Vec2d c, Vec2d d, std::size_t r, std::size_t i) {
@@ -121,7 +127,7 @@ std::optional<EdgeHit> first_edge_hit(const Rings& rings, Vec2d a, Vec2d b, Reac
   return first ? std::optional(hits.finish(*first)) : std::nullopt;
 }
 
-EdgeTree::EdgeTree(const Rings& rings) : scale_(scale_to_safe(extent_of(box_of(rings)))) {
+EdgeTree::EdgeTree(const Rings& rings) : scale_(safe_scale(sizes_of(rings))) {
   for_each_edge(rings, [&](Vec2d c, Vec2d d, std::size_t r, std::size_t i) {
     edges_.push_back({scale_ * c, scale_ * d, r, i});
   });
@@ -148,39 +154,49 @@ std::uint32_t EdgeTree::build(std::uint32_t first, std::uint32_t count) {
 }
 
 template <class Use>
-void EdgeTree::visit(Vec2d a, Vec2d b, Reach reach, Use use) const {
-  if (nodes_.empty() || a == b) return;
+void EdgeTree::visit(const Query& query, Use use) const {
+  if (nodes_.empty() || query.a == query.b) return;
   std::vector<std::uint32_t> stack{0};
   while (!stack.empty()) {
     const std::uint32_t index = stack.back();
     stack.pop_back();
     const Node& node = nodes_[index];
-    if (misses(node.box, a, b, reach)) continue;
+    const Box2 box{query.factor * node.box.min, query.factor * node.box.max};
+    if (misses(box, query.a, query.b, query.reach)) continue;
     if (node.second != 0) {
       stack.push_back(node.second);
       stack.push_back(index + 1);
     } else {
-      for (std::uint32_t e = node.first; e < node.first + node.count; ++e) use(edges_[e]);
+      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+        const Edge& e = edges_[i];
+        use(query.factor * e.from, query.factor * e.to, e);
+      }
     }
   }
 }
 
+/// Edges come to the query where scaling would round it.
+EdgeTree::Query EdgeTree::query(Vec2d a, Vec2d b, Reach reach) const {
+  if (keeps(scale_, a) && keeps(scale_, b)) return {scale_ * a, scale_ * b, reach, 1, scale_};
+  return {a, b, reach, 1 / scale_, 1};
+}
+
 std::vector<EdgeHit> EdgeTree::edge_hits(Vec2d a, Vec2d b, Reach reach) const {
-  a *= scale_, b *= scale_;
-  const Hits hits(a, b, reach, scale_);
+  const Query q = query(a, b, reach);
+  const Hits hits(q.a, q.b, reach, q.scale);
   std::vector<PlacedHit> found;
-  visit(a, b, reach, [&](const Edge& e) {
-    if (const auto hit = hits.of_edge(e.from, e.to, e.ring, e.index)) found.push_back(*hit);
+  visit(q, [&](Vec2d from, Vec2d to, const Edge& e) {
+    if (const auto hit = hits.of_edge(from, to, e.ring, e.index)) found.push_back(*hit);
   });
   return hits.sorted(std::move(found));
 }
 
 std::optional<EdgeHit> EdgeTree::first_edge_hit(Vec2d a, Vec2d b, Reach reach) const {
-  a *= scale_, b *= scale_;
-  const Hits hits(a, b, reach, scale_);
+  const Query q = query(a, b, reach);
+  const Hits hits(q.a, q.b, reach, q.scale);
   std::optional<PlacedHit> first;
-  visit(a, b, reach, [&](const Edge& e) {
-    if (const auto hit = hits.of_edge(e.from, e.to, e.ring, e.index); hit && (!first || hits.before(*hit, *first)))
+  visit(q, [&](Vec2d from, Vec2d to, const Edge& e) {
+    if (const auto hit = hits.of_edge(from, to, e.ring, e.index); hit && (!first || hits.before(*hit, *first)))
       first = hit;
   });
   return first ? std::optional(hits.finish(*first)) : std::nullopt;

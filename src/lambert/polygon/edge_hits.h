@@ -33,8 +33,7 @@ std::vector<EdgeHit> edge_hits(const Rings& rings, Vec2d a, Vec2d b, Reach reach
 /// The first of edge_hits(); that of the lowest ring and edge when several are. O(n).
 std::optional<EdgeHit> first_edge_hit(const Rings& rings, Vec2d a, Vec2d b, Reach reach = Reach::ray);
 
-/// The same answers by a hierarchy of boxes over the edges, for polygons of many edges. Building takes O(n log n). a
-/// and b must be no more than 2^200 times as far from the origin as the polygon.
+/// The same answers by a hierarchy of boxes over the edges, for polygons of many edges. Building takes O(n log n).
 class EdgeTree {
  public:
   explicit EdgeTree(const Rings& rings);
@@ -52,8 +51,15 @@ class EdgeTree {
     std::uint32_t second;        ///< its second child; 0 for a leaf, whose first child would be the next node
   };
   std::uint32_t build(std::uint32_t first, std::uint32_t count);
+  struct Query {
+    Vec2d a, b;
+    Reach reach;
+    double factor;  ///< for edges_ and nodes_, to meet a and b
+    double scale;   ///< what a, b and the edges then are multiplied by
+  };
+  Query query(Vec2d a, Vec2d b, Reach reach) const;
   template <class Use>
-  void visit(Vec2d a, Vec2d b, Reach reach, Use use) const;
+  void visit(const Query& query, Use use) const;
 
   double scale_;  ///< what edges_ and nodes_ were multiplied by
   std::vector<Edge> edges_;

@@ -2,13 +2,13 @@
 
 namespace lambert::polygon {
 
-EdgeList::EdgeList(const Rings& rings) {
+EdgeList::EdgeList(const Rings& rings, double scale) {
   for (const Ring& ring : rings) {
     for (const Vec2d p : ring) {
       numbers.push_back(static_cast<std::uint32_t>(points.size()));
-      points.push_back(p);
+      points.push_back(p * scale);
     }
-    if (!ring.empty()) points.push_back(ring.front());
+    if (!ring.empty()) points.push_back(ring.front() * scale);
   }
 }
 

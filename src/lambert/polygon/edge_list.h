@@ -9,9 +9,9 @@ namespace lambert::polygon {
 
 /// The edges of rings under one number each: number s stands for the edge from points[s] to points[s + 1].
 struct EdgeList {
-  explicit EdgeList(const Rings& rings);
+  explicit EdgeList(const Rings& rings, double scale = 1);
 
-  std::vector<Vec2d> points;           ///< each ring with its first vertex repeated
+  std::vector<Vec2d> points;           ///< each ring with its first vertex repeated, times the scale
   std::vector<std::uint32_t> numbers;  ///< of all edges
 
   /// The winding number at p by the one at `reference`, which lies on no edge: `candidates` must name, once each, all

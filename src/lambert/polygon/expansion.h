@@ -1,35 +1,40 @@
 #pragma once
-/// Exact arithmetic on sums of doubles that do not overlap, smallest first (Shewchuk, "Adaptive precision
-/// floating-point arithmetic and fast robust geometric predicates", 1997). Exact while no intermediate overflows or
-/// falls below 2^-1022; needs round-to-nearest and no contraction.
+/// Exact arithmetic on sums of floating-point numbers that do not overlap, smallest first (Shewchuk, "Adaptive
+/// precision floating-point arithmetic and fast robust geometric predicates", 1997). Exact while no intermediate leaves
+/// the range of the numbers, roundings included; needs round-to-nearest and no contraction.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 namespace lambert::polygon {
 
-struct RoundedSum {
-  double value, error;  ///< value + error is the exact result
+template <class Real>
+struct Rounded {
+  Real value, error;  ///< value + error is the exact result
 };
+using RoundedSum = Rounded<double>;
 
-inline RoundedSum two_sum(double a, double b) {
-  const double sum = a + b, b_part = sum - a, a_part = sum - b_part;
+template <class Real = double>
+Rounded<Real> two_sum(std::type_identity_t<Real> a, std::type_identity_t<Real> b) {
+  const Real sum = a + b, b_part = sum - a, a_part = sum - b_part;
   return {sum, (a - a_part) + (b - b_part)};
 }
 
-inline RoundedSum two_product(double a, double b) {
-  const double product = a * b;
+template <class Real = double>
+Rounded<Real> two_product(std::type_identity_t<Real> a, std::type_identity_t<Real> b) {
+  const Real product = a * b;
   return {product, std::fma(a, b, -product)};
 }
 
 /// Up to `capacity` components; zeros are dropped, so that size() is often far smaller.
-template <std::size_t capacity>
+template <std::size_t capacity, class Real = double>
 class Expansion {
  public:
   Expansion() = default;
-  explicit Expansion(RoundedSum sum) {
+  explicit Expansion(Rounded<Real> sum) {
     push(sum.error);
     push(sum.value);
   }
@@ -41,16 +46,16 @@ class Expansion {
   }
 
   std::size_t size() const { return size_; }
-  double operator[](std::size_t i) const { return components_[i]; }
-  void push(double component) {
+  Real operator[](std::size_t i) const { return components_[i]; }
+  void push(Real component) {
     if (component != 0) components_[size_++] = component;
   }
 
   /// -1, 0 or 1: the last component outweighs all others.
   int sign() const { return size_ == 0 ? 0 : (components_[size_ - 1] > 0 ? 1 : -1); }
   /// Within one rounding or so of the exact value.
-  double estimate() const {
-    double sum = 0;
+  Real estimate() const {
+    Real sum = 0;
     for (std::size_t i = 0; i < size_; ++i) sum += components_[i];
     return sum;
   }
@@ -62,17 +67,17 @@ class Expansion {
   }
 
  private:
-  std::array<double, capacity> components_;
+  std::array<Real, capacity> components_;
   std::size_t size_ = 0;
 };
 
 /// `sum` + `component`; `sum` has room for it (Shewchuk's fig. 6, Grow-Expansion).
-template <std::size_t n>
-void grow(Expansion<n>& sum, double component) {
-  Expansion<n> grown;
-  double carry = component;
+template <std::size_t n, class Real>
+void grow(Expansion<n, Real>& sum, std::type_identity_t<Real> component) {
+  Expansion<n, Real> grown;
+  Real carry = component;
   for (std::size_t i = 0; i < sum.size(); ++i) {
-    const RoundedSum s = two_sum(carry, sum[i]);
+    const Rounded<Real> s = two_sum<Real>(carry, sum[i]);
     grown.push(s.error);
     carry = s.value;
   }
@@ -80,33 +85,33 @@ void grow(Expansion<n>& sum, double component) {
   sum = grown;
 }
 
-template <std::size_t n, std::size_t m>
-Expansion<n + m> operator+(const Expansion<n>& a, const Expansion<m>& b) {
-  Expansion<n + m> sum;
+template <std::size_t n, std::size_t m, class Real>
+Expansion<n + m, Real> operator+(const Expansion<n, Real>& a, const Expansion<m, Real>& b) {
+  Expansion<n + m, Real> sum;
   for (std::size_t i = 0; i < a.size(); ++i) sum.push(a[i]);
   for (std::size_t j = 0; j < b.size(); ++j) grow(sum, b[j]);
   return sum;
 }
 
-template <std::size_t n, std::size_t m>
-Expansion<n + m> operator-(const Expansion<n>& a, const Expansion<m>& b) {
+template <std::size_t n, std::size_t m, class Real>
+Expansion<n + m, Real> operator-(const Expansion<n, Real>& a, const Expansion<m, Real>& b) {
   return a + -b;
 }
 
 /// Shewchuk's fig. 13, Scale-Expansion. Never more than 2n components, whatever overflows.
-template <std::size_t n>
-Expansion<2 * n> operator*(const Expansion<n>& a, double factor) {
-  Expansion<2 * n> scaled;
+template <std::size_t n, class Real>
+Expansion<2 * n, Real> operator*(const Expansion<n, Real>& a, std::type_identity_t<Real> factor) {
+  Expansion<2 * n, Real> scaled;
   if (a.size() == 0) return scaled;
   // The first component apart, so that there are at most two a component, NaN or not.
-  const RoundedSum first = two_product(a[0], factor);
+  const Rounded<Real> first = two_product<Real>(a[0], factor);
   scaled.push(first.error);
-  double carry = first.value;
+  Real carry = first.value;
   for (std::size_t i = 1; i < a.size(); ++i) {
-    const RoundedSum product = two_product(a[i], factor);
-    const RoundedSum low = two_sum(carry, product.error);
+    const Rounded<Real> product = two_product<Real>(a[i], factor);
+    const Rounded<Real> low = two_sum<Real>(carry, product.error);
     scaled.push(low.error);
-    const RoundedSum high = two_sum(product.value, low.value);
+    const Rounded<Real> high = two_sum<Real>(product.value, low.value);
     scaled.push(high.error);
     carry = high.value;
   }
@@ -114,11 +119,11 @@ Expansion<2 * n> operator*(const Expansion<n>& a, double factor) {
   return scaled;
 }
 
-template <std::size_t n, std::size_t m>
-Expansion<2 * n * m> operator*(const Expansion<n>& a, const Expansion<m>& b) {
-  Expansion<2 * n * m> product;
+template <std::size_t n, std::size_t m, class Real>
+Expansion<2 * n * m, Real> operator*(const Expansion<n, Real>& a, const Expansion<m, Real>& b) {
+  Expansion<2 * n * m, Real> product;
   for (std::size_t j = 0; j < b.size(); ++j) {
-    const Expansion<2 * n> part = a * b[j];
+    const Expansion<2 * n, Real> part = a * b[j];
     for (std::size_t k = 0; k < part.size(); ++k) grow(product, part[k]);
   }
   return product;

@@ -1,8 +1,5 @@
 #include "lambert/polygon/flat_rings.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace lambert::polygon {
 namespace {
 
@@ -24,15 +21,6 @@ FlatRings flat(const Region& region) {
   append(region.outer, all);
   for (const Ring& hole : region.holes) append(hole, all);
   return all;
-}
-
-double scale_for_predicates(const FlatRings& rings) {
-  double largest = 0;
-  for (const Vec2d p : rings.vertices) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  if (!(largest > 0) || !std::isfinite(largest)) return 1;
-  const int exponent = std::ilogb(largest);
-  // 2^1023 is the largest factor that is a number.
-  return std::abs(exponent) < 100 ? 1 : std::ldexp(1.0, std::min(-exponent, 1023));
 }
 
 FlatRings scaled(FlatRings rings, double factor) {

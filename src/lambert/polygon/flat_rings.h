@@ -19,10 +19,6 @@ struct FlatRings {
 FlatRings flat(const Rings& rings);
 FlatRings flat(const Region& region);
 
-/// The power of two that brings the largest coordinate to between 1 and 2, or 1 where products of four coordinates stay
-/// in range anyhow. Multiplying by it changes no decision of predicates.h and rounds only what is 2^-1022 times
-/// smaller.
-double scale_for_predicates(const FlatRings& rings);
 FlatRings scaled(FlatRings rings, double factor);
 
 /// The vertex that follows each one around its ring.

@@ -198,19 +198,5 @@ TEST(ClipLine, NearlyParallelEdgesStayWithinTheirBox) {
   }
 }
 
-// rows: PG-60
-TEST(ClipLine, OrdersCrossingsExactlyWhereEdgesCrossNearTheLine) {
-  const ClipLine line = keep_y_from(0);
-  const double tiny = 0x1p-60;
-  // Two edges that cross each other in (0, 0), then the same lifted by next to nothing.
-  const Vec2d a{-1, 1}, b{1, -1}, c{1, 1}, d{-1, -1};
-  EXPECT_EQ(compare_crossings(line, a, b, c, d), 0);
-  const ClipLine above{{-1, tiny}, {1, tiny}}, below{{-1, -tiny}, {1, -tiny}};
-  EXPECT_EQ(compare_crossings(above, a, b, c, d), -1);
-  EXPECT_EQ(compare_crossings(above, c, d, a, b), 1);
-  EXPECT_EQ(compare_crossings(below, a, b, c, d), 1);
-  EXPECT_EQ(compare_crossings(below, c, d, a, b), -1);
-}
-
 }  // namespace
 }  // namespace lambert::polygon

@@ -1,27 +1,11 @@
 #include "lambert/polygon/line_order.h"
 
 #include "lambert/polygon/accurate.h"
-#include "lambert/polygon/expansion.h"
+#include "lambert/polygon/exact_cross.h"
 #include "lambert/polygon/predicates.h"
-
-#include <glm/common.hpp>
 
 namespace lambert::polygon {
 namespace {
-
-struct RoundedCross {
-  double value, size;
-};
-
-RoundedCross rounded_cross(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
-  const double left = (b.x - a.x) * (d.y - c.y), right = (b.y - a.y) * (d.x - c.x);
-  return {left - right, std::abs(left) + std::abs(right)};
-}
-
-Expansion<16> exact_cross(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
-  const auto difference = [](double p, double q) { return Expansion<2>(two_sum(p, -q)); };
-  return difference(b.x, a.x) * difference(d.y, c.y) - difference(b.y, a.y) * difference(d.x, c.x);
-}
 
 /// Where both are on one side, or one of them on neither: that side; 0 when they are on both sides or none.
 int common_side(int p, int q) { return p * q < 0 ? 0 : p + q; }
@@ -47,31 +31,41 @@ int LineOrder::compare_crossings(const LinePlace& p, const LinePlace& q) const {
   {
     const RoundedCross np = rounded_cross(a_, p.right, p.right, p.left), mp = rounded_cross(a_, b_, p.right, p.left);
     const RoundedCross nq = rounded_cross(a_, q.right, q.right, q.left), mq = rounded_cross(a_, b_, q.right, q.left);
-    // Each cross product is off by at most 4.1 units of its size; their product by 9.2.
+    // Each cross product is off by at most 4.1 units of its size; their product by 9.2. The constants cover products
+    // below 2^-1022.
     const double difference = np.value * mq.value - nq.value * mp.value;
-    const double limit = 12 * 0x1p-53 * (np.size * mq.size + nq.size * mp.size);
+    const double limit = 12 * 0x1p-53 * (np.size * mq.size + nq.size * mp.size) +
+                         0x1p-1070 * (np.size + mq.size + nq.size + mp.size) + 0x1p-1070;
     if (difference > limit) return 1;
     if (-difference > limit) return -1;
   }
-  const auto np = exact_cross(a_, p.right, p.right, p.left), mp = exact_cross(a_, b_, p.right, p.left);
-  const auto nq = exact_cross(a_, q.right, q.right, q.left), mq = exact_cross(a_, b_, q.right, q.left);
-  return (np * mq - nq * mp).sign();
+  return decide_exactly<4>({a_, b_, p.right, p.left, q.right, q.left}, [&](auto zero) {
+    using Real = decltype(zero);
+    const auto np = exact_cross<Real>(a_, p.right, p.right, p.left), mp = exact_cross<Real>(a_, b_, p.right, p.left);
+    const auto nq = exact_cross<Real>(a_, q.right, q.right, q.left), mq = exact_cross<Real>(a_, b_, q.right, q.left);
+    return (np * mq - nq * mp).sign();
+  });
 }
 
 double LineOrder::parameter(const LinePlace& p) const {
   if (p.is_vertex()) {
     if (p.left == b_) return 1;
-    return dot(p.left - a_, b_ - a_) / dot(b_ - a_, b_ - a_);
+    if (products_fit<2>({p.left, a_, b_})) return dot(p.left - a_, b_ - a_) / dot(b_ - a_, b_ - a_);
+    const auto along = [&](Vec2d q) {
+      WideReal sum = 0;
+      for (int i = 0; i < 2; ++i)
+        sum += (static_cast<WideReal>(q[i]) - static_cast<WideReal>(a_[i])) *
+               (static_cast<WideReal>(b_[i]) - static_cast<WideReal>(a_[i]));
+      return sum;
+    };
+    return static_cast<double>(along(p.left) / along(b_));
   }
-  return accurate_cross(a_, p.right, p.right, p.left) / accurate_cross(a_, b_, p.right, p.left);
+  return accurate_quotient({a_, p.right, p.right, p.left}, {a_, b_, p.right, p.left});
 }
 
 Vec2d LineOrder::point(const LinePlace& p) const {
   if (p.is_vertex()) return p.left;
-  const double s = accurate_cross(p.right, a_, a_, b_) / accurate_cross(p.right, p.left, a_, b_);
-  const Vec2d along = p.left - p.right;
-  Vec2d point = s <= 0.5 ? p.right + s * along : p.left - (1 - s) * along;
-  point = glm::clamp(point, glm::min(p.left, p.right), glm::max(p.left, p.right));
+  Vec2d point = point_between(p.right, p.left, accurate_quotient({p.right, a_, a_, b_}, {p.right, p.left, a_, b_}));
   if (a_.x == b_.x) point.x = a_.x;
   if (a_.y == b_.y) point.y = a_.y;
   return point;

@@ -9,7 +9,7 @@ struct LinePlace {
   bool is_vertex() const { return right == left; }
 };
 
-/// The places of a line in order, all decisions exact. a and b differ.
+/// The places of a line in order, all decisions exact for any finite doubles. a and b differ.
 class LineOrder {
  public:
   LineOrder(Vec2d a, Vec2d b) : a_(a), b_(b) {}

@@ -1,5 +1,7 @@
 #include "lambert/polygon/line_through.h"
 
+#include "lambert/polygon/line_order.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -7,11 +9,11 @@
 namespace lambert::polygon {
 namespace {
 
-/// A point of the line: a vertex (left == right), or the crossing of an edge given by its ends.
+/// With its coordinates, rounded.
 struct Place {
-  Vec2d left, right;
-  Vec2d point;  ///< rounded
-  bool is_vertex() const { return left == right; }
+  LinePlace on_line;
+  Vec2d point;
+  bool is_vertex() const { return on_line.is_vertex(); }
 };
 
 /// What the winding numbers just left and just right of the line gain in passing.
@@ -27,7 +29,7 @@ struct Found {
 
 class Walk {
  public:
-  Walk(const Rings& rings, const ClipLine& line) : line_(line) {
+  Walk(const Rings& rings, const ClipLine& line) : line_(line), order_(line.tail, line.head) {
     for (std::size_t r = 0; r < rings.size(); ++r) add_ring(rings[r], r);
     const auto by_place = [&](const auto& a, const auto& b) { return compare(a.place, b.place) < 0; };
     std::stable_sort(passings_.begin(), passings_.end(), by_place);
@@ -89,18 +91,13 @@ class Walk {
     return compare_xy(a.point, b.point) < 0;
   }
 
-  static Place vertex(Vec2d p) { return {p, p, p}; }
+  static Place vertex(Vec2d p) { return {{p, p}, p}; }
 
-  int compare(const Place& a, const Place& b) const {
-    if (a.is_vertex())
-      return b.is_vertex() ? line_.compare_along(a.left, b.left) : orientation(b.left, b.right, a.left);
-    if (b.is_vertex()) return -orientation(a.left, a.right, b.left);
-    return compare_crossings(line_, a.left, a.right, b.left, b.right);
-  }
+  int compare(const Place& a, const Place& b) const { return order_.compare(a.on_line, b.on_line); }
 
   void add_crossing(const Ring& ring, std::size_t r, std::size_t i, int side) {
     const Vec2d a = ring[i], b = ring[next_index(i, ring.size())], point = line_.crossing(a, b);
-    const Place place = side > 0 ? Place{a, b, point} : Place{b, a, point};
+    const Place place{side > 0 ? LinePlace{.right = b, .left = a} : LinePlace{.right = a, .left = b}, point};
     passings_.push_back({place, side, side});
     events_.push_back({place, {LineEventKind::edge_crossing, LineContext::crosses, r, i, point, point}});
   }
@@ -145,6 +142,7 @@ class Walk {
   }
 
   ClipLine line_;
+  LineOrder order_;
   std::vector<Passing> passings_;
   std::vector<Found> events_;
 };

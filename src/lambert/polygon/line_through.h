@@ -57,7 +57,7 @@ struct LineThrough {
 };
 
 /// Walks along the line from tail to head and beyond both. Which side a vertex lies on, the order of crossings and what
-/// comes together in one point are decided exactly (compare_crossings); the points given are rounded as by
+/// comes together in one point are decided exactly (LineOrder); the points given are rounded as by
 /// ClipLine::crossing, pieces whose ends round to the same point are left out. Any rings: repeated vertices, crossings
 /// and edges that cover each other are allowed, edges that the fill rule does not see are not reported as pieces.
 /// O(n + k log k) for k events. Nothing is found when tail and head coincide.

@@ -1,6 +1,7 @@
 #include "lambert/polygon/normal.h"
 
 #include "lambert/polygon/predicates.h"
+#include "lambert/polygon/scale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,25 +21,53 @@ bool collinear(Vec3d a, Vec3d b, Vec3d c) {
          orientation({a.z, a.x}, {b.z, b.x}, {c.z, c.x}) == 0;
 }
 
+/// newell_sum(), `scale` squared times as large.
+struct ScaledSum {
+  Vec3d sum;
+  double scale;
+};
+ScaledSum scaled_sum(std::span<const Vec3d> vertices) {
+  double most = 0;
+  for (const Vec3d v : vertices) most = std::max(most, largest_component(v));
+  const double scale = unit_scale(most);
+  return {newell_sum(vertices.size(), [&](std::size_t i) { return scale * vertices[i]; }), scale};
+}
+
+/// The first vertex that is not on one line with the first and `second`, which are different.
+template <class Iterator>
+Iterator off_the_line(std::span<const Vec3d> vertices, Iterator second) {
+  return std::find_if(second, vertices.end(), [&](Vec3d v) { return !collinear(vertices[0], *second, v); });
+}
+
 }  // namespace
 
 std::optional<Vec3d> plane_normal(double a, double b, double c) { return unit({a, b, c}); }
 
 std::optional<Vec3d> three_vertex_normal(std::span<const Vec3d> vertices) {
   const auto second = std::find_if(vertices.begin(), vertices.end(), [&](Vec3d v) { return v != vertices[0]; });
-  for (auto third = second; third != vertices.end(); ++third)
-    if (!collinear(vertices[0], *second, *third)) return unit(cross(*second - vertices[0], *third - *second));
-  return std::nullopt;
+  const auto third = second == vertices.end() ? second : off_the_line(vertices, second);
+  if (third == vertices.end()) return std::nullopt;
+  const double scale =
+      unit_scale(std::max({largest_component(vertices[0]), largest_component(*second), largest_component(*third)}));
+  const Vec3d a = scale * vertices[0], b = scale * *second, c = scale * *third;
+  return unit(cross(b - a, c - b));
 }
 
-std::optional<Vec3d> newell_normal(std::span<const Vec3d> vertices) { return unit(newell_sum(vertices)); }
+bool on_one_line(std::span<const Vec3d> vertices) { return !three_vertex_normal(vertices); }
+
+std::optional<Vec3d> newell_normal(std::span<const Vec3d> vertices) { return unit(scaled_sum(vertices).sum); }
+
+double face_area(std::span<const Vec3d> vertices) {
+  const auto [sum, scale] = scaled_sum(vertices);
+  return 0.5 * safe_length(sum) / scale / scale;
+}
 
 double out_of_plane_sine(std::span<const Vec3d> vertices) {
   const auto normal = newell_normal(vertices);
   if (!normal) return 1;
   double largest = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    if (const auto edge = unit(vertices[next_index(i, vertices.size())] - vertices[i]))
+    if (const auto edge = unit(0.5 * vertices[next_index(i, vertices.size())] - 0.5 * vertices[i]))
       largest = std::max(largest, std::abs(dot(*edge, *normal)));
   return largest;
 }

@@ -21,7 +21,8 @@ std::optional<Vec3d> three_vertex_normal(std::span<const Vec3d> vertices);
 
 /// Twice the area vector of a closed face of n corners (PG-18): the sum over its edges of coordinate differences times
 /// sums (Newell), taken relative to corner 0 so that faces far from the origin lose no digits. It points to where the
-/// face runs counter-clockwise; zero when all corners lie on a line. `corner(i)` is a Vec3d.
+/// face runs counter-clockwise; zero when all corners lie on a line, or when areas of opposite sense cancel. Products
+/// of coordinates must be doubles; newell_normal() and face_area() take any. `corner(i)` is a Vec3d.
 template <class CornerOf>
 Vec3d newell_sum(std::size_t n, CornerOf corner) {
   Vec3d sum(0);
@@ -40,8 +41,15 @@ inline Vec3d newell_sum(std::span<const Vec3d> vertices) {
   return newell_sum(vertices.size(), [vertices](std::size_t i) { return vertices[i]; });
 }
 
-/// newell_sum at unit length; none when it is zero. Rounded.
+/// newell_sum at unit length; none when it is zero. Rounded. Of any finite coordinates.
 std::optional<Vec3d> newell_normal(std::span<const Vec3d> vertices);
+
+/// Half the length of newell_sum: the area of a planar face whose edges do not cross. Infinite or 0 only where the area
+/// itself is too large or too small for a double.
+double face_area(std::span<const Vec3d> vertices);
+
+/// Whether all vertices lie on one line, decided exactly.
+bool on_one_line(std::span<const Vec3d> vertices);
 
 /// The largest |e . n| over the unit edge vectors e, n being the Newell normal (PG-19, E-PG-09): the sine of the
 /// largest angle between an edge and the plane, so that its tolerance is an angle in radians and no length. Edges

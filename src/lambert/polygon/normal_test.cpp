@@ -31,6 +31,15 @@ TEST(ThreeVertexNormal, PassesOverCollinearTriples) {
   EXPECT_TRUE(three_vertex_normal(Face{{0, 0, 0}, {3, 3, 3}, {1.5, 1.5, above}}));
 }
 
+// rows: PG-18
+TEST(NewellNormal, IsMissingForTwoReasons) {
+  const Face bow_tie{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}, line{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}};
+  EXPECT_FALSE(newell_normal(bow_tie));
+  EXPECT_FALSE(on_one_line(bow_tie));
+  EXPECT_FALSE(newell_normal(line));
+  EXPECT_TRUE(on_one_line(line));
+}
+
 // rows: PG-17 PG-18
 TEST(ThreeVertexNormal, IsReversedWhereTheFirstCornerIsReflex) {
   const Face arrow{{0, 4, 0}, {1, 1, 0}, {4, 0, 0}, {0, 0, 0}};  // clockwise; it turns left at (1, 1)

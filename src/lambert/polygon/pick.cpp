@@ -13,7 +13,7 @@ GravityField field_of_pixels(double radius_pixels, double width_pixels, const Bo
 }
 
 bool is_picked(const GravityField& field, Vec2d a, Vec2d b, Vec2d p) {
-  if (length(p - a) < field.radius || length(p - b) < field.radius) return true;
+  if (safe_length(p - a) < field.radius || safe_length(p - b) < field.radius) return true;
   const auto foot = foot_of_perpendicular(a, b, p);
   return foot && foot->on_segment() && foot->distance <= 0.5 * field.width;
 }

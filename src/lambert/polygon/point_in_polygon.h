@@ -1,6 +1,6 @@
 #pragma once
 /// Whether a point lies in a polygon, in time proportional to its edges. For many points of one polygon see
-/// PointLocator. Everything here is exact for coordinates in the range of the predicates.
+/// PointLocator. Everything here is exact for any finite coordinates.
 
 #include "lambert/polygon/box.h"
 #include "lambert/polygon/predicates.h"

@@ -1,5 +1,7 @@
 #include "lambert/polygon/point_locator.h"
 
+#include "lambert/polygon/scale.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +19,10 @@ std::uint32_t at_most(double value, std::uint32_t limit) {
 
 }  // namespace
 
-PointLocator::PointLocator(const Rings& rings) : box_(box_of(rings)), edges_(rings) {
+PointLocator::PointLocator(const Rings& rings)
+    : scale_(safe_scale(sizes_of(rings))), box_(box_of(rings)), edges_(rings, scale_) {
+  box_.min *= scale_, box_.max *= scale_;
+
   choose_grid();
   list_edges();
   find_windings();
@@ -30,7 +35,7 @@ void PointLocator::choose_grid() {
   Vec2d length(0);
   for (const std::uint32_t e : edges_.numbers) length += glm::abs(edges_.points[e + 1] - edges_.points[e]);
   // Coordinates computed with the size of cells are off by less than this; cells must be far larger.
-  slack_ = 0x1p-48 * (glm::abs(box_.min) + glm::abs(box_.max));
+  slack_ = 0x1p-48 * (glm::abs(box_.min) + glm::abs(box_.max)) + 0x1p-1060;
   Vec2d counts(1);
   for (int axis = 0; axis < 2; ++axis)
     if (size[axis] > 0 && std::isfinite(length[axis]))
@@ -134,6 +139,16 @@ Winding PointLocator::winding_of_all(Vec2d p) const {
 }
 
 Winding PointLocator::winding(Vec2d p) const {
+  if (scale_ == 1) return winding_of_scaled(p);
+  if (keeps(scale_, p)) return winding_of_scaled(scale_ * p);
+  // Scaled, the point would be another one: the edges come to it.
+  EdgeList edges = edges_;
+  for (Vec2d& q : edges.points) q /= scale_;
+  const Vec2d outside(std::nextafter(box().min.x, -std::numeric_limits<double>::infinity()), p.y);
+  return box().contains(p) ? edges.winding_from(outside, 0, p, edges.numbers) : Winding{};
+}
+
+Winding PointLocator::winding_of_scaled(Vec2d p) const {
   if (!box_.contains(p)) return {};
   const std::size_t i = static_cast<std::size_t>(row(p.y)) * columns_ + column(p.x);
   const Cell& cell = cells_[i];

@@ -25,7 +25,7 @@ class PointLocator {
     if (w.on) return Place::on;
     return is_inside(w.number, rule) ? Place::inside : Place::outside;
   }
-  const Box2& box() const { return box_; }
+  Box2 box() const { return {box_.min / scale_, box_.max / scale_}; }
 
  private:
   struct Cell {
@@ -47,6 +47,9 @@ class PointLocator {
   Vec2d candidate(std::uint32_t cell, int k) const;
   Winding winding_of_all(Vec2d p) const;
 
+  Winding winding_of_scaled(Vec2d p) const;
+
+  double scale_;  ///< of all that follows
   Box2 box_;
   EdgeList edges_;
   std::uint32_t columns_ = 1, rows_ = 1;

@@ -1,8 +1,9 @@
 #pragma once
-/// Decisions on points of the plane that are exact for the doubles given: a rounded value decides when it exceeds its
-/// error bound, expansion arithmetic when not (Shewchuk 1997). Coordinates must be finite; exactness holds while the
-/// products of their differences (two factors in orientation, four in in_circle) neither overflow nor fall below
-/// 2^-969, for example with all coordinates 0 or of size 2^-200 to 2^200.
+/// Decisions on points of the plane that are exact for any finite doubles: a rounded value decides when it exceeds its
+/// error bound, expansion arithmetic when not (Shewchuk 1997), in doubles where products of differences of the
+/// coordinates (two factors in orientation, four in in_circle) with all their roundings are doubles, as they are of
+/// sizes 2^-200 to 2^200, else in numbers of a wider exponent. Those cost some microseconds: algorithms that decide
+/// often bring their points to a safe scale first (scale.h).
 
 #include "lambert/base/vec.h"
 
@@ -20,7 +21,8 @@ inline double cross(Vec2d a, Vec2d b, Vec2d c) { return (a.x - c.x) * (b.y - c.y
 inline int orientation(Vec2d a, Vec2d b, Vec2d c) {
   constexpr double unit = 0x1p-53, bound = (3 + 16 * unit) * unit;
   const double left = (a.x - c.x) * (b.y - c.y), right = (a.y - c.y) * (b.x - c.x);
-  const double determinant = left - right, limit = bound * (std::abs(left) + std::abs(right));
+  // The constant covers products below 2^-1022, which are off by up to 2^-1075 each.
+  const double determinant = left - right, limit = bound * (std::abs(left) + std::abs(right)) + 0x1p-1072;
   if (determinant > limit) return 1;
   if (-determinant > limit) return -1;
   return exact::orientation(a, b, c);

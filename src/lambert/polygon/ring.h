@@ -44,9 +44,16 @@ Rings rings_of(const Regions& regions);
 
 /// Half the sum of cross products: positive when counter-clockwise; of a ring that crosses itself, the sum of area
 /// times winding number. Relative to the first vertex, so that rings far from the origin lose no digits.
+/// Infinite or 0 only where the area itself is too large or too small for a double.
 double signed_area(const Ring& ring);
 double signed_area(const Rings& rings);
 double area(const Region& region);
 double area(const Regions& regions);
+
+/// signed_area() in numbers that hold the square of every double.
+long double wide_signed_area(const Ring& ring);
+
+/// The sum of the lengths of all edges, of any size.
+double perimeter(const Rings& rings);
 
 }  // namespace lambert::polygon

@@ -4,11 +4,14 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 
 namespace lambert::polygon {
 namespace {
 
-constexpr int reach = 1 << 20;
+void check_reach(double coordinate) {
+  if (!(std::abs(coordinate) <= scan_table_reach)) throw std::out_of_range("scan_table: a coordinate is beyond 2^20");
+}
 
 long floor_divide(long a, long b) { return a / b - (a % b < 0 ? 1 : 0); }
 
@@ -82,10 +85,10 @@ void EdgeDda::step() {
 
 std::vector<PixelSpan> scan_table(const std::vector<std::vector<Vec2i>>& rings, FillRule rule) {
   std::vector<Entry> entries;
-  const auto clamped = [](Vec2i p) { return Vec2i(std::clamp(p.x, -reach, reach), std::clamp(p.y, -reach, reach)); };
   for (const auto& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      add_edge(clamped(ring[i]), clamped(ring[next_index(i, ring.size())]), entries);
+    for (const Vec2i p : ring) check_reach(p.x), check_reach(p.y);
+  for (const auto& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) add_edge(ring[i], ring[next_index(i, ring.size())], entries);
   // Ends of horizontal edges stay in the order in which they were added, two by two.
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     if (a.y != b.y) return a.y < b.y;
@@ -108,7 +111,8 @@ std::vector<PixelSpan> scan_table(const std::vector<std::vector<Vec2i>>& rings, 
 
 std::vector<PixelSpan> scan_table(const Rings& rings, FillRule rule) {
   const auto nearest = [](double v) {
-    return static_cast<int>(std::clamp(std::floor(v + 0.5), -1.0 * reach, 1.0 * reach));
+    check_reach(v);
+    return static_cast<int>(std::floor(v + 0.5));
   };
   std::vector<std::vector<Vec2i>> whole;
   for (const Ring& ring : rings) {

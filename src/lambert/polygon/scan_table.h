@@ -31,10 +31,14 @@ class EdgeDda {
   long remainder_, rest_, denominator_;  ///< its fraction, in 1/denominator
 };
 
+/// How far coordinates may lie from 0 in a table.
+inline constexpr int scan_table_reach = 1 << 20;
+
 /// The span table of rings of whole vertices, by y, then x; spans of a row neither touch nor overlap. On a scan line
 /// through vertices, what the polygon covers just above it and just below, and its horizontal edges, are all filled: so
 /// a corner that points up or down is filled with its one pixel and a horizontal edge in its whole length, whatever the
-/// neighbouring edges do. Coordinates beyond ±2^20 are clamped to there. O(h log h) time and O(h) memory
+/// neighbouring edges do. Throws std::out_of_range where a
+/// coordinate is beyond scan_table_reach. O(h log h) time and O(h) memory
 /// for edges whose heights sum to h.
 std::vector<PixelSpan> scan_table(const std::vector<std::vector<Vec2i>>& rings, FillRule rule = FillRule::even_odd);
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include <set>
 
 namespace lambert::polygon {
@@ -84,9 +86,12 @@ TEST(ScanTable, HoldsTheInteriorAndLittleMore) {
 }
 
 // rows: PG-33
-TEST(ScanTable, FarCoordinatesAreClamped) {
-  const Table table = scan_table(Rings{{{1e300, 0}, {1e300, 2}, {-1e300, 2}, {-1e300, 0}}});
-  EXPECT_EQ(table, (Table{{0, -(1 << 20), 1 << 20}, {1, -(1 << 20), 1 << 20}, {2, -(1 << 20), 1 << 20}}));
+TEST(ScanTable, CoordinatesBeyondItsReachAreRefused) {
+  constexpr int reach = scan_table_reach;
+  const Table table = scan_table(Rings{{{reach, 0}, {reach, 1}, {-reach, 1}, {-reach, 0}}});
+  EXPECT_EQ(table, (Table{{0, -reach, reach}, {1, -reach, reach}}));
+  EXPECT_THROW(scan_table(Rings{{{1e300, 0}, {1e300, 2}, {0, 0}}}), std::out_of_range);
+  EXPECT_THROW(scan_table(std::vector<std::vector<Vec2i>>{{{0, 0}, {1, 0}, {0, -reach - 1}}}), std::out_of_range);
 }
 
 }  // namespace

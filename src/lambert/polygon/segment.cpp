@@ -45,15 +45,14 @@ SegmentMeeting meet_parallel(const Segment& v, const Segment& w) {
   return one_line ? meet_on_line(v, w) : SegmentMeeting{.kind = SegmentCase::parallel_disjoint};
 }
 
+/// In the boxes of both.
 Vec2d crossing_point(const Segment& v, const Segment& w, double t) {
-  const auto low = [](const Segment& s) { return glm::min(s.a, s.b); };
-  const auto high = [](const Segment& s) { return glm::max(s.a, s.b); };
-  // From the nearer end, so that the rounding of t counts little.
-  const Vec2d p = t <= 0.5 ? v.a + t * (v.b - v.a) : v.b + (1 - t) * (v.a - v.b);
-  return glm::clamp(p, glm::max(low(v), low(w)), glm::min(high(v), high(w)));
+  return glm::clamp(point_between(v.a, v.b, t), glm::min(w.a, w.b), glm::max(w.a, w.b));
 }
 
-SegmentMeeting intersect_in_range(const Segment& v, const Segment& w) {
+}  // namespace
+
+SegmentMeeting intersect(const Segment& v, const Segment& w) {
   const auto lines = meet_lines(v, w);
   if (!lines) return meet_parallel(v, w);
   const int wa = orientation(v.a, v.b, w.a), wb = orientation(v.a, v.b, w.b);
@@ -69,14 +68,12 @@ SegmentMeeting intersect_in_range(const Segment& v, const Segment& w) {
   return meeting;
 }
 
-}  // namespace
-
 std::optional<LineMeeting> meet_lines(const Segment& v, const Segment& w) {
   // With the names of the notes: AD - CB = -(v x w), ED - FB = -((W1 - V1) x w), AF - CE = v x (W1 - V1) ...
-  const double determinant = accurate_cross(v.a, v.b, w.a, w.b);
-  if (determinant == 0) return std::nullopt;
-  return LineMeeting{accurate_cross(v.a, w.a, w.a, w.b) / determinant,
-                     accurate_cross(v.a, w.a, v.a, v.b) / determinant};
+  if (turn_sign(v.a, v.b, w.a, w.b) == 0) return std::nullopt;
+  const CrossProduct determinant{v.a, v.b, w.a, w.b};
+  return LineMeeting{accurate_quotient({v.a, w.a, w.a, w.b}, determinant),
+                     accurate_quotient({v.a, w.a, v.a, v.b}, determinant)};
 }
 
 std::string_view name_of(SegmentCase c) {
@@ -86,14 +83,6 @@ std::string_view name_of(SegmentCase c) {
   return names[static_cast<std::size_t>(c)];
 }
 
-SegmentMeeting intersect(const Segment& v, const Segment& w) {
-  const double scale = scale_to_safe(extent_of(box_of(std::array{v.a, v.b, w.a, w.b})));
-  if (scale == 1) return intersect_in_range(v, w);
-  SegmentMeeting meeting = intersect_in_range({scale * v.a, scale * v.b}, {scale * w.a, scale * w.b});
-  meeting.from /= scale, meeting.to /= scale;
-  return meeting;
-}
-
 bool intersect_half_open(const Segment& v, const Segment& w) {
   const int wa = orientation(v.a, v.b, w.a), wb = orientation(v.a, v.b, w.b);
   const int va = orientation(w.a, w.b, v.a), vb = orientation(w.a, w.b, v.b);
@@ -101,6 +90,10 @@ bool intersect_half_open(const Segment& v, const Segment& w) {
   return vb != 0 && wb != 0 && wa * wb <= 0 && va * vb <= 0;
 }
 
-double signed_coordinate(Vec2d a, Vec2d b, Vec2d p) { return dot(p - a, b - a) / length(b - a); }
+double signed_coordinate(Vec2d a, Vec2d b, Vec2d p) {
+  const double scale = unit_scale(sizes_of(std::array{a, b, p}).most);
+  const Vec2d along = scale * b - scale * a;
+  return dot(scale * p - scale * a, along) / safe_length(along) / scale;
+}
 
 }  // namespace lambert::polygon

@@ -1,6 +1,7 @@
 #pragma once
 #include "lambert/polygon/lerp.h"
 #include "lambert/polygon/predicates.h"
+#include "lambert/polygon/scale.h"
 
 #include <cstdint>
 #include <optional>
@@ -56,8 +57,7 @@ struct SegmentMeeting {
   bool operator==(const SegmentMeeting&) const = default;
 };
 
-/// Ends included. The case is decided exactly for coordinates of any size up to 2^1020, those apart that are 2^-200
-/// times smaller than the largest of the eight.
+/// Ends included. The case is decided exactly, of any finite coordinates.
 SegmentMeeting intersect(const Segment& v, const Segment& w);
 
 /// Whether v without its end b meets w without its end b in one point (t and p in [0, 1), PG-11): edges of a chain that
@@ -80,13 +80,15 @@ struct Foot {
   bool on_segment() const { return t >= 0 && t <= 1; }
 };
 
-/// In the plane or in space; none when a = b. Rounded.
+/// In the plane or in space, of any size; none when a = b. Rounded.
 template <class Point>
 std::optional<Foot<Point>> foot_of_perpendicular(const Point& a, const Point& b, const Point& p) {
   if (a == b) return std::nullopt;
-  const double t = dot(a - p, a - b) / dot(a - b, a - b);
+  const double near = unit_scale(largest_component(a - b)), far = unit_scale(largest_component(a - p));
+  const Point along = near * (a - b), to_a = far * (a - p);
+  const double t = dot(to_a, along) / dot(along, along) * (near / far);
   const Point foot = lerp(a, b, t);
-  return Foot<Point>{t, foot, length(p - foot)};
+  return Foot<Point>{t, foot, safe_length(p - foot)};
 }
 
 /// From p to the nearest point of the segment ab, which may be a point. Rounded.
@@ -94,7 +96,7 @@ template <class Point>
 double distance_to_segment(const Point& a, const Point& b, const Point& p) {
   const auto foot = foot_of_perpendicular(a, b, p);
   if (foot && foot->on_segment()) return foot->distance;
-  return std::fmin(length(p - a), length(p - b));
+  return std::fmin(safe_length(p - a), safe_length(p - b));
 }
 
 }  // namespace lambert::polygon

@@ -220,7 +220,7 @@ void rank_by_slope(SweepSegments& segments) {
     return turn_sign(s.left, s.right, t.left, t.right);
   };
   // Rounded slopes decide unless they are within some units of each other.
-  const auto close = [](double a, double b) { return !(b - a > 0x1p-48 * (std::abs(a) + std::abs(b))); };
+  const auto close = [](double a, double b) { return !(b - a > 0x1p-48 * (std::abs(a) + std::abs(b)) + 0x1p-1070); };
   for (auto first = order.begin(); first != order.end();) {
     auto last = first + 1;
     while (last != order.end() && close((last - 1)->slope, last->slope)) ++last;
@@ -241,9 +241,9 @@ void rank_by_slope(SweepSegments& segments) {
 
 SweepSegments prepare_sweep(std::span<const Segment> segments) {
   SweepSegments prepared;
-  Box2 box;
-  for (const Segment& s : segments) box.add(s.a), box.add(s.b);
-  prepared.scale = scale_to_safe(extent_of(box));
+  Sizes sizes;
+  for (const Segment& s : segments) sizes.add(s.a), sizes.add(s.b);
+  prepared.scale = safe_scale(sizes);
   prepared.edges.reserve(segments.size());
   for (const Segment& s : segments) {
     const Vec2d a = prepared.scale * s.a, b = prepared.scale * s.b;

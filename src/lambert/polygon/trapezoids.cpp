@@ -2,6 +2,7 @@
 
 #include "lambert/polygon/no_index.h"
 #include "lambert/polygon/predicates.h"
+#include "lambert/polygon/scale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -227,6 +228,14 @@ bool heights_differ(const std::vector<Vec2d>& points) {
 
 std::vector<SweepCase> trapezoids(const FlatRings& rings, const std::function<void(const Trapezoid&)>& sink,
                                   TrapezoidOptions options) {
+  if (const double scale = safe_scale(sizes_of(rings.vertices)); scale != 1)
+    return trapezoids(
+        scaled(rings, scale),
+        [&](Trapezoid t) {
+          for (Vec2d& corner : t.corners) corner /= scale;
+          sink(t);
+        },
+        options);
   const auto hand_on = [&](const Piece& piece, std::size_t size, const auto& place) {
     Trapezoid t{.size = size};
     for (std::size_t i = 0; i < size; ++i) t.corners[i] = place(piece[i]);

@@ -2,6 +2,7 @@
 
 #include "lambert/polygon/interval_tree.h"
 #include "lambert/polygon/predicates.h"
+#include "lambert/polygon/scale.h"
 #include "lambert/polygon/sorted_points.h"
 
 #include <algorithm>
@@ -297,7 +298,7 @@ class Sweep {
 }  // namespace
 
 std::vector<Triangle> triangulate(const FlatRings& rings) {
-  const double scale = scale_for_predicates(rings);
+  const double scale = safe_scale(sizes_of(rings.vertices));
   return scale == 1 ? Sweep(rings).run() : Sweep(scaled(rings, scale)).run();
 }
 std::vector<Triangle> triangulate(const Rings& rings) { return triangulate(flat(rings)); }

@@ -19,8 +19,7 @@ namespace lambert::polygon {
 /// nothing give n - 2 + 2 h of them. Where vertices coincide, a triangle may name any of them.
 ///
 /// For other rings the work ends in the same time and all triangles are counter-clockwise, but they may overlap or
-/// leave gaps: normalise such rings first. Coordinates must be finite and no two so far apart that their products
-/// underflow (predicates.h); a common factor of any size does no harm.
+/// leave gaps: normalise such rings first. Coordinates must be finite.
 std::vector<Triangle> triangulate(const FlatRings& rings);
 std::vector<Triangle> triangulate(const Rings& rings);
 std::vector<Triangle> triangulate(const Region& region);

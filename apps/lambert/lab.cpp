@@ -1,0 +1,72 @@
+#include "command.h"
+
+#include "lambert/base/error.h"
+#include "lambert/draw/write_drawing.h"
+#include "lambert/image/io.h"
+#include "lambert/lab/demo.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace lambert::cli {
+namespace {
+
+struct Options {
+  std::string name, output;
+  lab::LabSettings settings;
+  bool json = false;
+};
+
+std::string list() {
+  std::string text = "Demonstrations:\n";
+  for (const lab::Demo& demo : lab::demos()) text += fmt::format("  {:<15} {}\n", demo.name, demo.summary);
+  return text;
+}
+
+void write(const std::filesystem::path& path, const lab::Shown& shown) {
+  if (const auto* drawing = std::get_if<draw::Drawing>(&shown.picture)) {
+    draw::write_drawing(path, *drawing);
+  } else if (path.extension() == ".svg") {
+    throw Error(path.string() + ": this picture is pixels: write .png, .exr or another image format");
+  } else {
+    write_image(path, std::get<Image>(shown.picture));
+  }
+}
+
+int run(const Options& o) {
+  if (o.name.empty()) {
+    fmt::print("{}", list());
+    return done;
+  }
+  const lab::Demo& demo = lab::demo(o.name);
+  const lab::Shown shown = demo.show(o.settings);
+  const std::string path = o.output.empty() ? o.name + ".png" : o.output;
+  write(path, shown);
+  if (o.json) {
+    nlohmann::ordered_json facts{{"demonstration", o.name}, {"picture", path}};
+    for (const auto& [name, value] : shown.facts) facts["facts"][name] = value;
+    fmt::print("{}\n", facts.dump(2));
+  } else {
+    fmt::print("{}\n", path);
+    for (const auto& [name, value] : shown.facts) fmt::print("  {:<52} {:.6g}\n", name, value);
+  }
+  return done;
+}
+
+}  // namespace
+
+std::function<int()> add_lab(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.add_option("name", o->name, "Which one; without it they are listed")->type_name("NAME");
+  app.add_option("-o,--output", o->output, "The picture; .svg for plots (NAME.png by default)")->type_name("FILE");
+  app.add_option("--seed", o->settings.seed, "Of all random numbers")->capture_default_str();
+  app.add_flag("--json", o->json, "Print the facts as JSON");
+  app.footer(list() + "\n  lambert lab comb -o comb.png\n  lambert lab error -o error.svg");
+  return [o] { return run(*o); };
+}
+
+}  // namespace lambert::cli
