@@ -49,8 +49,6 @@ nlohmann::ordered_json facts_of(const LoadedStack& loaded, const hdr::Recovery& 
   j["saturated_pixels"] = merged.saturated;
   j["black_pixels"] = merged.black;
   j["ghost_pixels"] = ghosts;
-  const hdr::RadianceRange range = hdr::radiance_range(merged.image);
-  j["max"] = range.max, j["min_positive"] = range.min_positive, j["stops"] = range.stops();
   return j;
 }
 
@@ -112,10 +110,13 @@ int run(const Options& o) {
   nlohmann::ordered_json facts = facts_of(loaded, recovery, merged, masks.count());
   facts["written"] = written;
   if (!o.quiet) say(facts);
-  if (o.json)
+  if (o.json) {
+    const hdr::RadianceRange range = hdr::radiance_range(merged.image);
+    facts["max"] = range.max, facts["min_positive"] = range.min_positive, facts["stops"] = range.stops();
     fmt::print("{}\n", facts.dump(2));
-  else
-    for (const std::string& path : written) print_written(path);
+    return done;
+  }
+  for (const std::string& path : written) print_written(path);
   return done;
 }
 

@@ -12,7 +12,7 @@ void plot_response(const std::string& path, const hdr::Response& response) {
   draw::Plot plot{.title = "Camera response: " + response.name,
                   .x = {.label = "exposure (1 saturates)", .logarithmic = true},
                   .y = {.label = "code", .low = 0, .high = static_cast<double>(levels - 1)}};
-  const draw::Colour colours[] = {{0.82f, 0.14f, 0.18f}, {0.1f, 0.5f, 0.22f}, {0.12f, 0.43f, 0.92f}};
+  const draw::Colour colours[] = {{209, 36, 47}, {26, 127, 55}, {31, 111, 235}};
   const char* names[] = {"red", "green", "blue"};
   for (std::size_t c = 0; c < channels; ++c) {
     draw::Series series{.name = channels == 3 ? names[c] : "grey", .points = {}};

@@ -10,7 +10,7 @@
 namespace lambert::hdr {
 namespace {
 
-constexpr int most_candidates = 160000;
+constexpr int most_candidates = 80000;
 constexpr std::size_t bins = 64, enough_of_a_bin = 500;
 
 int code_at(const ExposureStack& stack, std::size_t frame, std::size_t channel, int x, int y) {
@@ -46,7 +46,7 @@ UsableCodes usable_codes(const ExposureStack& stack, std::size_t channel) {
   const int top = stack.levels - 1, near = std::max(1, stack.levels / 256);
   const auto largest = [&](const Frame& frame) {
     int most = 0;
-    for (std::size_t i = channel; i < frame.codes.size(); i += stack.channels)
+    for (std::size_t i = channel; i < frame.codes.size() && most < top; i += stack.channels)
       most = std::max<int>(most, frame.codes[i]);
     return most;
   };
