@@ -65,6 +65,7 @@ int run(int argc, char** argv) {
   add("polygon", "Algorithms of the plane on files of polygons", cli::add_polygon);
   add("lab", "Demonstrations of sampling, with pictures and plots", cli::add_lab);
   add("compare", "Say how far two images lie apart", cli::add_compare);
+  add("hdr", "Radiance from photographs of different exposure, and back", cli::add_hdr);
   add("completion", "Print a completion script for a shell", cli::add_completion);
 
   if (argc < 2) {

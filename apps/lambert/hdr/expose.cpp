@@ -1,0 +1,145 @@
+#include "verb.h"
+
+#include "../command.h"
+#include "../number_range.h"
+
+#include "lambert/base/error.h"
+#include "lambert/base/file.h"
+#include "lambert/base/hash.h"
+#include "lambert/base/number.h"
+#include "lambert/image/hdr/expose.h"
+#include "lambert/image/hdr/exposure.h"
+#include "lambert/image/io.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <filesystem>
+
+namespace lambert::cli {
+namespace {
+
+struct Options {
+  std::string map, output, time, bracket, response = "srgb", list;
+  double stops = 0, shake = 0, turn = 0;
+  int bits = 8;
+  std::uint64_t seed = 0;
+  hdr::SensorNoise noise;
+};
+
+/// "-6..6:2", "-2..2" in steps of 1, or "-3,0,4".
+std::vector<double> bracket_stops(const std::string& text) {
+  const auto fail = [&]() -> std::vector<double> {
+    throw Error("--bracket: expected stops such as -6..6:2 or -2,0,2, at most 100 of them, got '" + printable(text) +
+                "'");
+  };
+  std::vector<double> stops;
+  const auto number = [&](std::string_view word, double& value) {
+    const char* const end = word.data() + word.size();
+    return !word.empty() && parse_double(word.data(), end, value) == end && std::abs(value) <= 60;
+  };
+  const std::string_view all = text;
+  if (const std::size_t dots = all.find(".."); dots != std::string_view::npos) {
+    const std::size_t colon = std::min(all.find(':', dots), all.size());
+    double first = 0, last = 0, step = 1;
+    if (!number(all.substr(0, dots), first) || !number(all.substr(dots + 2, colon - dots - 2), last)) return fail();
+    if (colon < all.size() && !number(all.substr(colon + 1), step)) return fail();
+    if (!(step > 0) || last < first || (last - first) / step > 99) return fail();
+    for (int i = 0; first + i * step <= last + 1e-9; ++i) stops.push_back(first + i * step);
+    return stops;
+  }
+  for (std::size_t at = 0; at <= all.size();) {
+    const std::size_t end = std::min(all.find(',', at), all.size());
+    double value = 0;
+    if (!number(all.substr(at, end - at), value) || stops.size() == 100) return fail();
+    stops.push_back(value);
+    at = end + 1;
+  }
+  return stops;
+}
+
+/// The name of photograph `i`.
+std::string numbered(const std::string& pattern, std::size_t i) {
+  const std::size_t at = pattern.find("{}");
+  return pattern.substr(0, at) + fmt::format("{:02}", i) + pattern.substr(at + 2);
+}
+
+void write_photograph(const std::string& path, const DisplayImage& image) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (image.words.empty() && extension == ".png")
+    write_atomically(path, encode_png(image));
+  else if (image.words.empty() && (extension == ".jpg" || extension == ".jpeg"))
+    write_atomically(path, encode_jpeg(image));
+  else if (!image.words.empty() && (extension == ".tif" || extension == ".tiff"))
+    write_atomically(path, encode_tiff(image));
+  else
+    throw Error(path + ": expected .png or .jpg for photographs of 8 bits, .tif for 16 bits");
+}
+
+int run(const Options& o) {
+  const std::vector<double> stops = o.bracket.empty() ? std::vector<double>{o.stops} : bracket_stops(o.bracket);
+  if (!o.bracket.empty() && o.output.find("{}") == std::string::npos)
+    throw Error("--output: expected a name with {} for the number of the photograph, such as shot_{}.png");
+  const double time = o.time.empty() ? 1 : hdr::parse_exposure_time(o.time, "--time");
+  if (!o.list.empty()) check_writable(o.list);
+  const Image map = read_image(o.map);
+  const hdr::Response response = hdr::response_named(o.response, map.has_colour() ? 3 : 1, 65536);
+  std::string list = "# filename exposure_time_s   (pixel = floor(top f(min(1, L t)) + 0.5), f = " + o.response + ")\n";
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const std::string path = o.bracket.empty() ? o.output : numbered(o.output, i);
+    hdr::ExposeSettings settings{.exposure = time * std::exp2(stops[i]), .noise = o.noise, .bits = o.bits};
+    settings.seed = hash_values(o.seed, i);
+    if (i > 0) {
+      const auto random = [&](std::uint64_t axis) {
+        return 2 * static_cast<double>(hash_to_float(hash_values(o.seed, i, axis))) - 1;
+      };
+      settings.move = o.shake * Vec2d(random(0), random(1));
+      settings.turn = o.turn * random(2) * 0.017453292519943295;
+    }
+    write_photograph(path, hdr::expose(map, response, settings));
+    print_written(path);
+    list += std::filesystem::path(path).filename().string() + " ";
+    append_number(list, static_cast<float>(settings.exposure));
+    list += "\n";
+  }
+  if (!o.list.empty()) {
+    write_atomically(o.list, list);
+    print_written(o.list);
+  }
+  return done;
+}
+
+}  // namespace
+
+std::function<int()> add_hdr_expose(CLI::App& app) {
+  static Options o;
+  app.add_option("map", o.map, "Radiance map")->type_name("FILE")->required();
+  app.add_option("-o,--output", o.output, "Photograph: .png or .jpg, .tif for 16 bits; {} is its number in a series")
+      ->type_name("FILE")
+      ->required();
+  app.add_option("--time", o.time, "Exposure; radiance 1 / time just saturates (default 1)")->type_name("T");
+  CLI::Option* stops = app.add_option("--stops", o.stops, "Stops above that")->capture_default_str();
+  expect_number(stops, {.expected = "a number of stops from -60 to 60", .low = -60, .below = 60.0001});
+  app.add_option("--bracket", o.bracket, "A series of stops: -6..6:2 or -2,0,2")->type_name("STOPS")->excludes(stops);
+  app.add_option("--list", o.list, "Write the photographs and their times, for 'lambert hdr merge --list'")
+      ->type_name("FILE");
+  app.add_option("--response", o.response, "srgb, linear, 'gamma 2.2', film, log, a CSV file")
+      ->type_name("WORD")
+      ->capture_default_str();
+  app.add_option("--bits", o.bits, "8 or 16")->check(CLI::IsMember({8, 16}))->capture_default_str();
+  expect_number(app.add_option("--full-well", o.noise.full_well, "Noise: electrons at saturation"),
+                {.expected = "a number of electrons from 1", .low = 1});
+  expect_number(
+      app.add_option("--read-noise", o.noise.read_noise, "Noise: standard deviation of reading, in electrons"),
+      {.expected = "a number of electrons from 0"});
+  app.add_option("--seed", o.seed, "Of noise and shake")->capture_default_str();
+  expect_number(
+      app.add_option("--shake", o.shake, "Camera from the hand: shifts of up to so many pixels after the first"),
+      {.expected = "a number of pixels from 0 to 10000", .below = 10001});
+  expect_number(app.add_option("--turn", o.turn, "And turns of up to so many degrees"),
+                {.expected = "a number of degrees from 0 to 180", .below = 180.001});
+  return [] { return run(o); };
+}
+
+}  // namespace lambert::cli

@@ -1,0 +1,106 @@
+#include "lambert/image/hdr/stack.h"
+
+#include "lambert/base/error.h"
+#include "lambert/base/file.h"
+#include "lambert/base/number.h"
+#include "lambert/base/parallel.h"
+#include "lambert/image/io.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lambert::hdr {
+namespace {
+
+std::size_t colours(int channels) { return channels >= 3 ? 3 : 1; }
+
+Texels read_codes(const std::string& file) {
+  const MappedFile mapped(file);
+  Texels t = decode_texels(mapped.bytes(), file);
+  if (t.linear)
+    throw Error(file + ": holds radiance already, not the codes of a photograph (PNG, JPEG, TIFF and WebP have them)");
+  return t;
+}
+
+std::vector<std::uint16_t> codes_of(const Texels& t, bool sixteen_bits) {
+  const std::size_t count = static_cast<std::size_t>(t.width) * static_cast<std::size_t>(t.height);
+  const auto from = static_cast<std::size_t>(t.channels), to = colours(t.channels);
+  std::vector<std::uint16_t> codes(count * to);
+  const unsigned scale = sixteen_bits ? 257 : 1;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t c = 0; c < to; ++c)
+      codes[i * to + c] = static_cast<std::uint16_t>(
+          t.floats.empty()
+              ? t.bytes[i * from + c] * scale
+              : static_cast<unsigned>(std::lround(std::clamp(t.floats[i * from + c], 0.0f, 1.0f) * 65535)));
+  return codes;
+}
+
+std::string size_text(const Texels& t) { return std::to_string(t.width) + "x" + std::to_string(t.height); }
+
+/// How much brighter the second of two photographs is, in codes per pixel, where neither is black or saturated.
+struct Difference {
+  double mean = 0;
+  std::size_t count = 0;
+};
+Difference brightening(const ExposureStack& stack, std::size_t a, std::size_t b) {
+  const auto &x = stack.frames[a].codes, &y = stack.frames[b].codes;
+  const int low = stack.levels / 64, high = stack.levels - 1 - low;
+  const std::size_t step = std::max<std::size_t>(1, x.size() / 500000);
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < x.size(); i += step) {
+    if (x[i] > high || y[i] > high || (x[i] < low && y[i] < low)) continue;
+    sum += static_cast<double>(y[i]) - x[i], ++count;
+  }
+  return {count ? sum / static_cast<double>(count) : 0, count};
+}
+
+}  // namespace
+
+ExposureStack read_stack(const std::vector<std::string>& files, const std::vector<double>& exposures) {
+  if (files.empty()) throw Error("no photographs given");
+  std::vector<Texels> texels(files.size());
+  parallel_for(files.size(), [&](std::size_t i) { texels[i] = read_codes(files[i]); });
+  ExposureStack stack;
+  stack.width = texels[0].width, stack.height = texels[0].height;
+  stack.channels = colours(texels[0].channels);
+  const bool sixteen_bits =
+      std::any_of(texels.begin(), texels.end(), [](const Texels& t) { return !t.floats.empty(); });
+  stack.levels = sixteen_bits ? 65536 : 256;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const Texels& t = texels[i];
+    if (t.width != stack.width || t.height != stack.height)
+      throw Error(files[i] + ": is " + size_text(t) + " pixels, but " + files[0] + " is " + size_text(texels[0]));
+    if (colours(t.channels) != stack.channels)
+      throw Error(files[i] + ": is " + (stack.channels == 1 ? "in colour" : "grey") + ", but " + files[0] + " is not");
+  }
+  stack.frames.resize(files.size());
+  parallel_for(files.size(), [&](std::size_t i) {
+    stack.frames[i] = {.name = files[i], .exposure = exposures[i], .codes = codes_of(texels[i], sixteen_bits)};
+    texels[i] = {};
+  });
+  return stack;
+}
+
+void check_exposures(ExposureStack& stack) {
+  auto& frames = stack.frames;
+  std::stable_sort(frames.begin(), frames.end(),
+                   [](const Frame& a, const Frame& b) { return a.exposure < b.exposure; });
+  if (frames.size() < 2) return;
+  if (frames.back().exposure < 1.01 * frames.front().exposure)
+    throw Error("all photographs have the same exposure (" + number_text(frames.front().exposure) +
+                "): no more range can be had from them");
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    const double ratio = frames[i].exposure / frames[i - 1].exposure;
+    if (ratio < 1.01) continue;
+    const Difference d = brightening(stack, i - 1, i);
+    const double code = stack.levels / 256.0;
+    const double expected = ratio > 1.3 ? 0.25 * code : -0.5 * code;  // a third of a stop is seen, through noise too
+    if (d.count >= 64 && d.mean < expected)
+      throw Error(frames[i].name + ": is not brighter than " + frames[i - 1].name + " though its exposure is " +
+                  number_text(std::round(1000 * ratio) / 1000) + " times as long: the exposures contradict the images");
+  }
+}
+
+}  // namespace lambert::hdr
