@@ -32,7 +32,9 @@ struct Options {
 };
 
 Probe read_ball(const Options& o, const std::string& file) {
-  ProbeInputOptions input{.file = file, .layout = {}, .reflectivity = o.reflectivity};
+  ProbeInputOptions input;
+  input.file = file;
+  input.reflectivity = o.reflectivity;
   input.layout.layout = "mirror-ball";
   input.layout.ball_distance = o.ball_distance;
   if (!o.find) return read_probe(input).probe;

@@ -20,7 +20,7 @@ struct FindBallSettings {
 
 /// Finds the outline of a ball: circles through pairs of edges whose normals meet are tried (in a fixed order), the one
 /// with most edge along it is fitted by least squares to edges at the full resolution, outliers left out. Centre and
-/// radius are right to about half a pixel where the outline has contrast; a ball off the picture's middle looks
+/// radius are right to about a pixel where the outline has contrast; a ball off the picture's middle looks
 /// slightly oval in perspective, of which this is the mean circle. None when no circle has the wanted coverage. Where
 /// grey is darker than 0 or not finite it counts as black.
 std::optional<BallCircle> find_ball(const Image& image, const FindBallSettings& settings = {});

@@ -69,6 +69,16 @@ Vec3 lat_long_moment(const Probe& probe, const LatLong& map, int x, int y) {
   return {ring * std::sin(phi), 2 * half_phi * along, -ring * std::cos(phi)};
 }
 
+/// What a ball or a fisheye sees; 0 for maps without a rim.
+double disk_solid_angle(const AnyProjection& p) {
+  double half = 0;  // the angle from the axis
+  if (const auto* ball = std::get_if<MirrorBall>(&p))
+    half = std::numbers::pi - (std::isinf(ball->distance) ? 0 : std::asin(1 / static_cast<double>(ball->distance)));
+  if (const auto* fisheye = std::get_if<Fisheye>(&p))
+    half = 0.5 * static_cast<double>(fisheye->field_of_view.radians());
+  return 2 * std::numbers::pi * (1 - std::cos(half));
+}
+
 }  // namespace
 
 Vec2 uv_of(const Probe& probe, Vec2 pixel) {
@@ -92,6 +102,12 @@ TexelMeasure texel_measure(const Probe& probe) {
     float* out = &m.solid_angle[row * static_cast<std::size_t>(w)];
     for (int x = 0; x < w; ++x) out[x] = static_cast<float>(texel(probe.projection, span_of(probe.texels, x, w), v));
   });
+  if (const double seen = disk_solid_angle(probe.projection); seen > 0 && probe.texels == TexelRule::cells) {
+    // The rim is cut by an even grid: what that misses is spread over all.
+    double sum = 0;
+    for (const float omega : m.solid_angle) sum += static_cast<double>(omega);
+    for (float& omega : m.solid_angle) omega = static_cast<float>(static_cast<double>(omega) * seen / sum);
+  }
   return m;
 }
 
