@@ -1,7 +1,7 @@
 #include "lambert/light/environment_map.h"
 
 #include "lambert/base/error.h"
-#include "lambert/light/equal_area.h"
+#include "lambert/image/probe/octahedral.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,12 +60,12 @@ EnvironmentMap::EnvironmentMap(const Image& image, EnvironmentMapping mapping)
 }
 
 Vec2 EnvironmentMap::to_square(Vec3 d) const {
-  if (mapping_ == EnvironmentMapping::equal_area) return equal_area_sphere_to_square(d);
+  if (mapping_ == EnvironmentMapping::equal_area) return probe::equal_area_sphere_to_square(d);
   return {0.5f + std::atan2(d.x, -d.z) / (2 * pi), std::acos(std::clamp(d.y, -1.0f, 1.0f)) * inv_pi};
 }
 
 Vec3 EnvironmentMap::to_direction(Vec2 uv) const {
-  if (mapping_ == EnvironmentMapping::equal_area) return equal_area_square_to_sphere(uv);
+  if (mapping_ == EnvironmentMapping::equal_area) return probe::equal_area_square_to_sphere(uv);
   const float theta = pi * uv.y, phi = 2 * pi * (uv.x - 0.5f), sin_theta = std::sin(theta);
   return {sin_theta * std::sin(phi), std::cos(theta), -sin_theta * std::cos(phi)};
 }

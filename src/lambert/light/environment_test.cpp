@@ -1,8 +1,8 @@
 #include "lambert/light/environment.h"
 
 #include "lambert/base/error.h"
+#include "lambert/image/probe/octahedral.h"
 #include "lambert/light/environment_map.h"
-#include "lambert/light/equal_area.h"
 #include "lambert/light/light_test_tools.h"
 #include "lambert/light/many_lights.h"
 #include "lambert/sampling/warp.h"
@@ -78,7 +78,7 @@ TEST(EnvironmentMap, ChoosesRowThenColumn) {
     for (int x = 0; x < image.width(); ++x) image.set_rgb(x, y, Rgb(f[y / block][x / block]));
   }
   const EnvironmentMap map(image, EnvironmentMapping::equal_area);
-  const auto cell_of = [](const EnvironmentMap::Sample& s) { return equal_area_sphere_to_square(s.direction); };
+  const auto cell_of = [](const EnvironmentMap::Sample& s) { return probe::equal_area_sphere_to_square(s.direction); };
   const Vec2 first = cell_of(*map.sample({0.2f, 0.2f})), second = cell_of(*map.sample({0.3f, 0.6f}));
   EXPECT_LT(first.x, 0.5f);
   EXPECT_LT(first.y, 0.5f);
@@ -88,7 +88,7 @@ TEST(EnvironmentMap, ChoosesRowThenColumn) {
   for (int y = 0; y < 2; ++y) {
     for (int x = 0; x < 2; ++x) {
       const Vec3 centre =
-          equal_area_square_to_sphere({0.25f + 0.5f * static_cast<float>(x), 0.25f + 0.5f * static_cast<float>(y)});
+          probe::equal_area_square_to_sphere({0.25f + 0.5f * static_cast<float>(x), 0.25f + 0.5f * static_cast<float>(y)});
       EXPECT_NEAR(map.pdf_omega(centre) * 4 * pi, pdf[y][x], 1e-4f) << x << y;
     }
   }

@@ -2,7 +2,7 @@
 
 #include "lambert/formats/pbrt/spectra.h"
 #include "lambert/image/io.h"
-#include "lambert/light/equal_area.h"
+#include "lambert/image/probe/octahedral.h"
 
 #include <utility>
 
@@ -17,7 +17,7 @@ float upward_illuminance(const Image& image) {
     for (int x = 0; x < image.width(); ++x) {
       const Vec2 uv((static_cast<float>(x) + 0.5f) / static_cast<float>(image.width()),
                     (static_cast<float>(y) + 0.5f) / static_cast<float>(image.height()));
-      const float z = equal_area_square_to_sphere(uv).z;
+      const float z = probe::equal_area_square_to_sphere(uv).z;
       if (z > 0) sum += static_cast<double>(luminance(image.rgb(x, y)) * z);
     }
   }

@@ -1,8 +1,8 @@
-#include "lambert/light/equal_area.h"
+#include "lambert/image/probe/octahedral.h"
 
 #include <gtest/gtest.h>
 
-namespace lambert {
+namespace lambert::probe {
 namespace {
 
 TEST(EqualArea, KnowsItsPoles) {
@@ -35,4 +35,4 @@ TEST(EqualArea, KeepsAreas) {
 }
 
 }  // namespace
-}  // namespace lambert
+}  // namespace lambert::probe

@@ -1,0 +1,118 @@
+#include "lambert/image/probe/assemble.h"
+
+#include "verb.h"
+
+#include "../command.h"
+#include "../number_range.h"
+
+#include "lambert/base/error.h"
+#include "lambert/base/log.h"
+#include "lambert/image/probe/find_ball.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace lambert::cli {
+
+using namespace probe;
+
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  std::vector<double> angles;
+  std::vector<float> reflectivity;
+  double ball_distance = 0, camera_radius = 25, rim = 150, search = 8;
+  int size = 512;
+  bool find = false, as_given = false, keep_exposure = false, json = false;
+  std::string output;
+};
+
+Probe read_ball(const Options& o, const std::string& file) {
+  ProbeInputOptions input;
+  input.file = file;
+  input.reflectivity = o.reflectivity;
+  input.layout.layout = "mirror-ball";
+  input.layout.ball_distance = o.ball_distance;
+  if (!o.find) return read_probe(input).probe;
+  const Image photograph = read_finite(file);
+  const auto ball = find_ball(photograph);
+  if (!ball) throw Error(file + ": no ball found; crop it by 'lambert probe find-ball --circle'");
+  log::info(
+      fmt::format("{}: ball at {:.1f}, {:.1f}, radius {:.1f}", file, ball->centre.x, ball->centre.y, ball->radius));
+  return divided(cut(layout_of(input.layout), {crop_ball(photograph, *ball)}), o.reflectivity);
+}
+
+int run(const Options& o) {
+  if (o.angles.size() != o.files.size())
+    throw Error(
+        fmt::format("--angles: expected {} numbers, one for each photograph, got {}", o.files.size(), o.angles.size()));
+  std::vector<BallView> views;
+  for (std::size_t i = 0; i < o.files.size(); ++i)
+    views.push_back({read_ball(o, o.files[i]), degrees(static_cast<float>(o.angles[i]))});
+  const AssembleSettings settings{.camera_radius = degrees(static_cast<float>(o.camera_radius)),
+                                  .rim = degrees(static_cast<float>(o.rim)),
+                                  .align = !o.as_given,
+                                  .search = degrees(static_cast<float>(o.search)),
+                                  .match_exposure = !o.keep_exposure};
+  const Assembly a = assemble(views, o.size, settings);
+  nlohmann::ordered_json list = nlohmann::json::array();
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    nlohmann::ordered_json rows = nlohmann::json::array();
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) rows.push_back(a.rotations[i][c][r]);
+    list.push_back({{"file", o.files[i]},
+                    {"rotation", rows},
+                    {"exposure", json_of(a.exposures[i])},
+                    {"correlation", a.correlations[i]}});
+    if (i > 0 && !o.as_given && a.correlations[i] < 0.5f)
+      log::warn(fmt::format("{}: fits the first photograph badly (correlation {:.2f}): are the angles right?",
+                            o.files[i], a.correlations[i]));
+  }
+  if (o.json) fmt::print("{}\n", nlohmann::ordered_json{{"views", list}}.dump(2));
+  write_probe(o.output, a.probe, Arrangement::single);
+  return done;
+}
+
+}  // namespace
+
+std::function<int()> add_probe_assemble(CLI::App& app) {
+  static Options o;
+  app.add_option("files", o.files, "Photographs of a mirror ball, cropped to it, from two or more sides")
+      ->required()
+      ->type_name("FILE...");
+  app.add_option("--angles", o.angles,
+                 "Where each camera stood: degrees about the ball, seen from above counter-clockwise")
+      ->delimiter(',')
+      ->required();
+  app.add_flag("--find", o.find, "The files are whole photographs: find and crop the ball");
+  app.add_option("--reflectivity", o.reflectivity, "Of the ball, one number or R,G,B")->delimiter(',')->expected(1, 3);
+  expect_number(app.add_option("--ball-distance", o.ball_distance,
+                               "Of the camera from the ball's centre, in radii (default: far away)"),
+                {.expected = "a number of radii above 1", .low = 1.001, .below = 1e6});
+  const NumberRange angle{.expected = "an angle from 0 to 180 degrees", .low = 0, .below = 180.001};
+  expect_number(app.add_option("--camera-radius", o.camera_radius,
+                               "Degrees about the ball's centre that show camera and photographer: not used")
+                    ->capture_default_str(),
+                angle);
+  expect_number(
+      app.add_option("--rim", o.rim, "Degrees from the camera beyond which a ball is not used if another can be")
+          ->capture_default_str(),
+      angle);
+  app.add_flag("--as-given", o.as_given, "Trust the angles: no alignment");
+  expect_number(
+      app.add_option("--search", o.search, "Degrees about each axis that the angles may be off")->capture_default_str(),
+      {.expected = "an angle from 0.1 to 45 degrees", .low = 0.1, .below = 45.001});
+  app.add_flag("--keep-exposure", o.keep_exposure, "Do not match the photographs' exposures");
+  expect_number(app.add_option("--size", o.size, "Rows of the lat-long map")->capture_default_str(),
+                {.expected = "a number of rows from 1 to 16384", .low = 1, .below = 16385});
+  app.add_flag("--json", o.json, "Print what was found as JSON");
+  app.add_option("-o,--output", o.output, "The lat-long map; the first camera stands at +z and looks along -z")
+      ->required();
+  return [] { return run(o); };
+}
+
+}  // namespace lambert::cli

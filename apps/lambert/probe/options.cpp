@@ -1,0 +1,156 @@
+#include "verb.h"
+
+#include "../number_range.h"
+
+#include "lambert/base/error.h"
+#include "lambert/base/log.h"
+#include "lambert/base/number.h"
+#include "lambert/image/io.h"
+#include "lambert/image/probe/missing.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace lambert::cli {
+
+using namespace probe;
+
+namespace {
+
+std::vector<std::string> files_of(const std::string& file) {
+  const std::size_t at = file.find("{}");
+  if (at == std::string::npos) return {file};
+  std::vector<std::string> files;
+  for (const CubeFace& face : cube_faces) files.push_back(std::string(file).replace(at, 2, face.name));
+  return files;
+}
+
+/// Errors about the contents of a file begin with its name.
+template <class F>
+auto named(const std::string& file, const F& f) {
+  try {
+    return f();
+  } catch (const Error& e) {
+    const std::string what = e.what();
+    throw Error(what.starts_with(file) ? what : file + ": " + what);
+  }
+}
+
+}  // namespace
+
+Image read_finite(const std::string& file) {
+  Image image = read_image(file);
+  if (const std::size_t count = fill_missing(image))
+    log::warn(fmt::format("{}: {} not finite; filled from {} neighbours", file,
+                          count == 1 ? "a pixel is" : fmt::format("{} pixels are", count),
+                          count == 1 ? "its" : "their"));
+  return image;
+}
+
+void add_layout_options(CLI::App& app, LayoutOptions& o, const std::string& flag, const std::string& prefix,
+                        const std::string& what) {
+  app.add_option(flag, o.layout, what + ": " + fmt::format("{}", fmt::join(layout_names(), ", ")))->type_name("LAYOUT");
+  app.add_option("--" + prefix + "lens", o.lens, "Of a fisheye: " + fmt::format("{}", fmt::join(lens_names(), ", ")))
+      ->capture_default_str();
+  expect_number(app.add_option("--" + prefix + "fov", o.field_of_view, "Full field of view of a fisheye, in degrees")
+                    ->capture_default_str(),
+                {.expected = "an angle above 0 and at most 360 degrees", .low = 1e-3, .below = 360.001});
+  expect_number(app.add_option("--" + prefix + "ball-distance", o.ball_distance,
+                               "Of the camera from the mirror ball's centre, in radii (default: far away)"),
+                {.expected = "a number of radii above 1", .low = 1.001, .below = 1e6});
+}
+
+Layout layout_of(const LayoutOptions& o) {
+  Layout result = layout(o.layout);
+  if (o.layout == "fisheye") result.projection = fisheye(lens(o.lens), degrees(static_cast<float>(o.field_of_view)));
+  if (auto* ball = std::get_if<MirrorBall>(&result.projection); ball && o.ball_distance > 0)
+    ball->distance = static_cast<float>(o.ball_distance);
+  return result;
+}
+
+void add_probe_input(CLI::App& app, ProbeInputOptions& o) {
+  app.add_option("file", o.file, "The environment; {} in the name stands for px nx py ny pz nz, six files")
+      ->required()
+      ->type_name("FILE");
+  add_layout_options(app, o.layout, "--from", "", "Layout of the input (default: by its shape)");
+  app.add_option("--reflectivity", o.reflectivity, "Of a mirror ball, one number or R,G,B: the input is divided by it")
+      ->delimiter(',')
+      ->expected(1, 3);
+}
+
+ProbeInput read_probe(const ProbeInputOptions& o) {
+  const std::vector<std::string> files = files_of(o.file);
+  std::vector<Image> pictures;
+  for (const std::string& file : files) pictures.push_back(read_finite(file));
+  return named(o.file, [&] {
+    LayoutOptions options = o.layout;
+    if (options.layout.empty()) options.layout = files.size() == 6 ? "faces" : guess_layout(pictures.front());
+    const Layout layout = layout_of(options);
+    Probe p = cut(layout, std::move(pictures));
+    p = divided(std::move(p), o.reflectivity);
+    return ProbeInput{std::move(p), layout.arrangement};
+  });
+}
+
+Probe divided(Probe p, const std::vector<float>& reflectivity) {
+  if (reflectivity.empty()) return p;
+  const Rgb mirror = rgb_of("--reflectivity", reflectivity);
+  if (!(min_component(mirror) > 0) || !is_finite(mirror)) throw Error("--reflectivity: expected numbers above 0");
+  for (Image& chart : p.charts)
+    for (int y = 0; y < chart.height(); ++y)
+      for (int x = 0; x < chart.width(); ++x) {
+        if (chart.has_colour())
+          chart.set_rgb(x, y, chart.rgb(x, y) / mirror);
+        else
+          chart.at(x, y, 0) /= average(mirror);
+      }
+  return p;
+}
+
+void add_rotation_options(CLI::App& app, RotationOptions& o) {
+  const NumberRange angle{.expected = "an angle in degrees", .low = -1e5, .below = 1e5};
+  expect_number(app.add_option("--yaw", o.yaw, "Degrees about +y: turns what is ahead (-z) to the left (-x)"), angle);
+  expect_number(app.add_option("--pitch", o.pitch, "Degrees about +x, before the yaw: turns what is ahead up"), angle);
+  expect_number(app.add_option("--roll", o.roll, "Degrees about +z, before the pitch"), angle);
+  app.add_option("--matrix", o.matrix, "Nine numbers of a rotation, row by row, instead")->delimiter(',')->expected(9);
+}
+
+Mat3 rotation_of(const RotationOptions& o) {
+  if (!o.matrix.empty()) {
+    std::array<float, 9> rows{};
+    std::copy_n(o.matrix.begin(), 9, rows.begin());
+    return rotation(rows);
+  }
+  const auto angle = [](double a) { return degrees(static_cast<float>(a)); };
+  return rotation(angle(o.yaw), angle(o.pitch), angle(o.roll));
+}
+
+void print_written(const std::string& path) { fmt::print("{}\n", std::filesystem::absolute(path).string()); }
+
+void write_probe(const std::string& file, const Probe& probe, Arrangement arrangement) {
+  std::vector<Image> pictures = arranged(probe, arrangement);
+  const std::vector<std::string> files = files_of(file);
+  if (files.size() != pictures.size())
+    throw Error(file + (pictures.size() == 6 ? ": six faces need a name with {} in it"
+                                             : ": {} in a name stands for six faces; this layout is one picture"));
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (probe.texels == TexelRule::edge_to_edge)
+      pictures[i].metadata["envmap"] = std::holds_alternative<Cube>(probe.projection) ? "cube" : "latlong";
+    write_image(files[i], pictures[i]);
+    print_written(files[i]);
+  }
+}
+
+nlohmann::ordered_json json_of(Vec3 v) { return {v.x, v.y, v.z}; }
+nlohmann::ordered_json json_of(Rgb c) { return {c.r, c.g, c.b}; }
+
+Rgb rgb_of(const std::string& flag, const std::vector<float>& numbers) {
+  if (numbers.size() == 1) return Rgb(numbers[0]);
+  if (numbers.size() != 3) throw Error(flag + ": expected one number or three");
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+}  // namespace lambert::cli

@@ -1,0 +1,73 @@
+#pragma once
+/// What the verbs of `lambert probe` share.
+
+#include "lambert/image/probe/layout.h"
+#include "lambert/image/probe/rotation.h"
+
+#include <CLI/App.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace lambert::cli {
+
+/// A layout and the numbers that some need.
+struct LayoutOptions {
+  std::string layout, lens = "equidistant";
+  double field_of_view = 180;
+  double ball_distance = 0;  ///< 0: infinite
+};
+/// --from, --lens, --fov, --ball-distance, or the same with `prefix` before the last three.
+void add_layout_options(CLI::App& app, LayoutOptions& o, const std::string& flag, const std::string& prefix,
+                        const std::string& what);
+/// Throws Error for an unknown name or numbers out of range.
+probe::Layout layout_of(const LayoutOptions& o);
+
+struct ProbeInputOptions {
+  std::string file;
+  LayoutOptions layout;
+  std::vector<float> reflectivity;
+};
+void add_probe_input(CLI::App& app, ProbeInputOptions& o);
+
+struct ProbeInput {
+  probe::Probe probe;
+  probe::Arrangement arrangement;
+};
+/// Reads FILE (six files where its name holds "{}"), fills texels that are not finite, with a warning, and divides by
+/// the reflectivity. Without --from the layout is guessed by shape.
+ProbeInput read_probe(const ProbeInputOptions& o);
+
+/// Reads a picture and fills pixels that are not finite, with a warning.
+Image read_finite(const std::string& file);
+/// Colours over the reflectivity, if any is given. Throws Error unless it is above 0.
+probe::Probe divided(probe::Probe p, const std::vector<float>& reflectivity);
+
+struct RotationOptions {
+  double yaw = 0, pitch = 0, roll = 0;
+  std::vector<float> matrix;
+};
+void add_rotation_options(CLI::App& app, RotationOptions& o);
+Mat3 rotation_of(const RotationOptions& o);
+
+/// Writes the picture, or the six of `files`, and prints paths. Throws Error when "{}" stands in the name and should
+/// not, or the other way round.
+void write_probe(const std::string& file, const probe::Probe& probe, probe::Arrangement arrangement);
+void print_written(const std::string& path);
+nlohmann::ordered_json json_of(Vec3 v);
+nlohmann::ordered_json json_of(Rgb c);
+/// Three numbers, or one that stands for all three. Throws Error naming the flag.
+Rgb rgb_of(const std::string& flag, const std::vector<float>& numbers);
+
+std::function<int()> add_probe_convert(CLI::App& app);
+std::function<int()> add_probe_rotate(CLI::App& app);
+std::function<int()> add_probe_assemble(CLI::App& app);
+std::function<int()> add_probe_irradiance(CLI::App& app);
+std::function<int()> add_probe_sh(CLI::App& app);
+std::function<int()> add_probe_lights(CLI::App& app);
+std::function<int()> add_probe_find_ball(CLI::App& app);
+std::function<int()> add_probe_check(CLI::App& app);
+
+}  // namespace lambert::cli

@@ -1,0 +1,41 @@
+#!/usr/bin/env python3
+"""usage: sheet.py OUT.pfm COLUMNS IN.pfm…: pictures side by side in rows, exposed each to the same mean, on white."""
+import array
+import sys
+
+GAP = 6
+
+
+def read(path):
+    with open(path, "rb") as file:
+        assert file.readline().strip() == b"PF"
+        width, height = map(int, file.readline().split())
+        assert float(file.readline()) < 0
+        values = array.array("f", file.read())
+    rows = [values[y * width * 3:(y + 1) * width * 3] for y in reversed(range(height))]
+    mean = sum(sum(row) for row in rows) / max(1, sum(1 for row in rows for v in row if v > 0))
+    return width, height, [[1 - 2.718281828 ** -(0.75 * max(v, 0) / mean) for v in row] for row in rows]
+
+
+def main():
+    out, columns = sys.argv[1], int(sys.argv[2])
+    pictures = [read(p) for p in sys.argv[3:]]
+    lines = [pictures[i:i + columns] for i in range(0, len(pictures), columns)]
+    width = max(sum(p[0] + GAP for p in line) - GAP for line in lines)
+    rows = []
+    for line in lines:
+        height = max(p[1] for p in line)
+        for y in range(height):
+            row = []
+            for w, h, picture in line:
+                row += (picture[y] if y < h else [1.0] * 3 * w) + [1.0] * 3 * GAP
+            rows.append((row + [1.0] * 3 * width)[:3 * width])
+        rows += [[1.0] * 3 * width] * GAP
+    rows = rows[:-GAP]
+    with open(out, "wb") as file:
+        file.write(b"PF\n%d %d\n-1.0\n" % (width, len(rows)))
+        for row in reversed(rows):
+            array.array("f", row).tofile(file)
+
+
+main()

@@ -1,0 +1,26 @@
+#pragma once
+#include "lambert/image/probe/map_point.h"
+
+#include <limits>
+#include <optional>
+
+namespace lambert::probe {
+
+/// A photograph of a mirror ball that touches all four sides of the square. The camera looks along -z with +x to the
+/// right: the centre shows +z, where the camera stands, the rim what is behind the ball.
+///
+/// From afar the surface normal at (x, y) is n = (x, y, √(1 - x² - y²)), and d = 2 (n·z) n - z; since d is at twice the
+/// angle of n, dω = 4 dA everywhere. From a distance of D radii a ray at the angle β to the axis meets the ball where
+/// sin γ = D sin β is the sine of its angle to the normal, and leaves it at θ = 2γ - β from +z.
+struct MirrorBall {
+  static constexpr int charts = 1;
+  /// Of the camera from the ball's centre, in radii, above 1; the ball lies on the camera's axis. A cone of half angle
+  /// asin(1 / distance) behind the ball is then not seen.
+  float distance = std::numeric_limits<float>::infinity();
+
+  std::optional<Vec3> direction(MapPoint at) const;
+  std::optional<MapPoint> point(Vec3 d) const;
+  float density(MapPoint at) const;
+};
+
+}  // namespace lambert::probe
