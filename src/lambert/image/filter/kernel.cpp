@@ -49,7 +49,7 @@ double lanczos_kernel(double x, double lobes) { return std::abs(x) < lobes ? sin
 
 double blackman_harris_kernel(double x, double radius) {
   if (std::abs(x) >= radius) return 0;
-  const double t = full_pi * (x / radius + 1);
+  const double t = full_pi * (std::abs(x) / radius + 1);
   return 0.35875 - 0.48829 * std::cos(t) + 0.14128 * std::cos(2 * t) - 0.01168 * std::cos(3 * t);
 }
 
