@@ -5,13 +5,71 @@
 #include "lambert/image/filter/taps.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
 namespace lambert {
 namespace {
 
-float to_float(std::uint8_t code) { return static_cast<float>(code) * (1.0f / 255.0f); }
+/// The light of every 8-bit code.
+using CodeTable = std::array<float, 256>;
+const CodeTable& table_of(bool srgb) {
+  const auto make = [](bool decode) {
+    CodeTable t;
+    for (std::size_t i = 0; i < t.size(); ++i)
+      t[i] = decode ? srgb_decode8(static_cast<std::uint8_t>(i)) : static_cast<float>(i) * (1.0f / 255.0f);
+    return t;
+  };
+  static const CodeTable tables[] = {make(false), make(true)};
+  return tables[srgb];
+}
+
+/// RGBA of 1 to 4 channels, where `colour` and `plain` give a channel's value.
+template <class Colour, class Plain>
+Vec4 spread(std::size_t channels, const Colour& colour, const Plain& plain) {
+  switch (channels) {
+    case 1: {
+      const float v = colour(0);
+      return {v, v, v, 1};
+    }
+    case 2: {
+      const float v = colour(0);
+      return {v, v, v, plain(1)};
+    }
+    case 3: return {colour(0), colour(1), colour(2), 1};
+    default: return {colour(0), colour(1), colour(2), plain(3)};
+  }
+}
+
+/// How a level is read; two types, so that the choice is made once a lookup.
+struct FloatTexels {
+  const float* data;
+  std::size_t width, channels;
+  Vec4 operator()(int x, int y) const {
+    const float* p = data + (static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)) * channels;
+    const auto value = [p](std::size_t c) { return p[c]; };
+    return spread(channels, value, value);
+  }
+};
+struct ByteTexels {
+  const std::uint8_t* data;
+  std::size_t width, channels;
+  const float *colour, *plain;
+  Vec4 operator()(int x, int y) const {
+    const std::uint8_t* p = data + (static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)) * channels;
+    return spread(
+        channels, [this, p](std::size_t c) { return colour[p[c]]; }, [this, p](std::size_t c) { return plain[p[c]]; });
+  }
+};
+
+/// use(texels) with whichever of both `level` holds.
+template <class Level, class Use>
+Vec4 with_texels(const Level& level, int channels, bool srgb, const Use& use) {
+  const auto width = static_cast<std::size_t>(level.width), count = static_cast<std::size_t>(channels);
+  if (level.bytes.empty()) return use(FloatTexels{level.floats.data(), width, count});
+  return use(ByteTexels{level.bytes.data(), width, count, table_of(srgb).data(), table_of(false).data()});
+}
 
 }  // namespace
 
@@ -54,35 +112,22 @@ MipMap::Level MipMap::halved(const Level& from) const {
 }
 
 Vec4 MipMap::fetch(const Level& level, int x, int y) const {
-  const auto channels = static_cast<std::size_t>(channels_);
-  const std::size_t at =
-      (static_cast<std::size_t>(y) * static_cast<std::size_t>(level.width) + static_cast<std::size_t>(x)) * channels;
-  Vec4 v(0, 0, 0, 1);
-  if (level.bytes.empty()) {
-    for (std::size_t c = 0; c < channels; ++c) v[static_cast<int>(c)] = level.floats[at + c];
-  } else {
-    const std::uint8_t* p = &level.bytes[at];
-    if (settings_.srgb)
-      for (int c = 0; c < std::min(channels_, 3); ++c) v[c] = is_colour(c) ? srgb_decode8(p[c]) : to_float(p[c]);
-    else
-      for (int c = 0; c < std::min(channels_, 3); ++c) v[c] = to_float(p[c]);
-    if (channels_ == 4) v.w = to_float(p[3]);
-  }
-  if (channels_ == 1) return {v.x, v.x, v.x, 1};
-  if (channels_ == 2) return {v.x, v.x, v.x, v.y};
-  return v;
+  return with_texels(level, channels_, settings_.srgb, [&](const auto& texel) { return texel(x, y); });
 }
 
 Vec4 MipMap::lookup(Vec2 uv, float filter_width) const {
   const Level& base = levels_[0];
   const EdgeModes edges{settings_.wrap_u, settings_.wrap_v};
-  const auto fetch_from = [&](const Level& level) { return [&](int x, int y) { return fetch(level, x, y); }; };
   uv = {tame_coordinate(uv.x), tame_coordinate(uv.y)};
   if (settings_.filter == TextureFilter::nearest)
-    return nearest_lookup({base.width, base.height}, uv, edges, fetch_from(base));
+    return with_texels(base, channels_, settings_.srgb, [&](const auto& texel) {
+      return nearest_lookup({base.width, base.height}, uv, edges, texel);
+    });
   const auto bilinear = [&](int i) {
     const Level& level = levels_[static_cast<std::size_t>(i)];
-    return bilinear_lookup({level.width, level.height}, uv, edges, fetch_from(level));
+    return with_texels(level, channels_, settings_.srgb, [&](const auto& texel) {
+      return bilinear_lookup({level.width, level.height}, uv, edges, texel);
+    });
   };
   const float texels = filter_width * static_cast<float>(std::max(base.width, base.height));
   if (!(texels > 1) || levels_.size() == 1) return bilinear(0);
