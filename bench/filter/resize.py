@@ -38,12 +38,12 @@ def main():
     for theirs, ours in (("box", "box"), ("triangle", "triangle"), ("lanczos3", "lanczos"), ("blackman-harris", "blackman-harris")):
         for size, word in ((small, "÷4"), (large, "×1.5")):
             cases[f"{ours} {word}"] = (
-                [lambert, "image", "resize", "in.pfm", "--size", size, "--filter", ours, "-o", "out.pfm"],
-                ["oiiotool", "in.pfm", f"--resize:filter={theirs}", size, "-d", "float", "-o", "out.pfm"])
-    cases["gaussian blur σ = 2"] = ([lambert, "image", "blur", "in.pfm", "--sigma", "2", "-o", "out.pfm"],
-                                    ["oiiotool", "in.pfm", "--blur:kernel=gaussian", "8x8", "-d", "float", "-o", "out.pfm"])
-    cases["copy"] = ([lambert, "image", "blur", "in.pfm", "--filter", "box", "--radius", "0", "-o", "out.pfm"],
-                     ["oiiotool", "in.pfm", "-d", "float", "-o", "out.pfm"])
+                [lambert, "image", "resize", "in.pfm", "--size", size, "--filter", ours, "-o", "out.exr"],
+                ["oiiotool", "in.pfm", f"--resize:filter={theirs}", size, "-d", "float", "-o", "out.exr"])
+    cases["gaussian blur σ = 2"] = ([lambert, "image", "blur", "in.pfm", "--sigma", "2", "-o", "out.exr"],
+                                    ["oiiotool", "in.pfm", "--blur:kernel=gaussian", "8x8", "-d", "float", "-o", "out.exr"])
+    cases["copy"] = ([lambert, "image", "blur", "in.pfm", "--filter", "box", "--radius", "0", "-o", "out.exr"],
+                     ["oiiotool", "in.pfm", "-d", "float", "-o", "out.exr"])
     times = {name: ([], []) for name in cases}
     with tempfile.TemporaryDirectory() as folder:
         values = array.array("f", [i * 7919 % 10007 / 10007 for i in range(3 * WIDTH * HEIGHT)])
