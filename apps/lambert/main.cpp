@@ -61,7 +61,7 @@ int run(int argc, char** argv) {
   add("render", "Make an image of a scene", cli::add_render);
   add("info", "Say what is in a scene or an image", cli::add_info);
   add("methods", "List the methods of rendering and their settings", cli::add_methods);
-  add("image", "Convert image files and say what is in them", cli::add_image);
+  add("image", "Convert, resample, filter and inspect image files", cli::add_image);
   add("polygon", "Algorithms of the plane on files of polygons", cli::add_polygon);
   add("lab", "Demonstrations of sampling, with pictures and plots", cli::add_lab);
   add("compare", "Say how far two images lie apart", cli::add_compare);

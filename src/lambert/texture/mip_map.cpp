@@ -1,49 +1,75 @@
 #include "lambert/texture/mip_map.h"
 
 #include "lambert/image/colour.h"
+#include "lambert/image/filter/lookup.h"
+#include "lambert/image/filter/taps.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
 namespace lambert {
 namespace {
 
-/// Index into 0..n-1, or -1 for black.
-int wrap(int i, int n, Wrap mode) {
-  if (i >= 0 && i < n) return i;
-  switch (mode) {
-    case Wrap::repeat: return ((i % n) + n) % n;
-    case Wrap::mirror: {
-      const int period = 2 * n, j = ((i % period) + period) % period;
-      return j < n ? j : period - 1 - j;
+/// The light of every 8-bit code.
+using CodeTable = std::array<float, 256>;
+const CodeTable& table_of(bool srgb) {
+  const auto make = [](bool decode) {
+    CodeTable t;
+    for (std::size_t i = 0; i < t.size(); ++i)
+      t[i] = decode ? srgb_decode8(static_cast<std::uint8_t>(i)) : static_cast<float>(i) * (1.0f / 255.0f);
+    return t;
+  };
+  static const CodeTable tables[] = {make(false), make(true)};
+  return tables[srgb];
+}
+
+/// RGBA of 1 to 4 channels, where `colour` and `plain` give a channel's value.
+template <class Colour, class Plain>
+Vec4 spread(std::size_t channels, const Colour& colour, const Plain& plain) {
+  switch (channels) {
+    case 1: {
+      const float v = colour(0);
+      return {v, v, v, 1};
     }
-    case Wrap::clamp: return std::clamp(i, 0, n - 1);
-    case Wrap::black: return -1;
+    case 2: {
+      const float v = colour(0);
+      return {v, v, v, plain(1)};
+    }
+    case 3: return {colour(0), colour(1), colour(2), 1};
+    default: return {colour(0), colour(1), colour(2), plain(3)};
   }
-  return -1;
 }
 
-/// The texels that an output texel covers when `from` texels become `to`, with their shares (which add up to 1).
-struct Cover {
-  int first = 0;
-  float share[3] = {0, 0, 0};
+/// How a level is read; two types, so that the choice is made once a lookup.
+struct FloatTexels {
+  const float* data;
+  std::size_t width, channels;
+  Vec4 operator()(int x, int y) const {
+    const float* p = data + (static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)) * channels;
+    const auto value = [p](std::size_t c) { return p[c]; };
+    return spread(channels, value, value);
+  }
 };
-Cover cover(int i, int from, int to) {
-  const double step = static_cast<double>(from) / to, begin = i * step, end = begin + step;
-  Cover c;
-  c.first = static_cast<int>(begin);
-  for (int k = 0; k < 3; ++k) {
-    const double lo = std::max<double>(begin, c.first + k), hi = std::min<double>(end, c.first + k + 1);
-    c.share[k] = static_cast<float>(std::max(0.0, hi - lo) / step);
+struct ByteTexels {
+  const std::uint8_t* data;
+  std::size_t width, channels;
+  const float *colour, *plain;
+  Vec4 operator()(int x, int y) const {
+    const std::uint8_t* p = data + (static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)) * channels;
+    return spread(
+        channels, [this, p](std::size_t c) { return colour[p[c]]; }, [this, p](std::size_t c) { return plain[p[c]]; });
   }
-  return c;
+};
+
+/// use(texels) with whichever of both `level` holds.
+template <class Level, class Use>
+Vec4 with_texels(const Level& level, int channels, bool srgb, const Use& use) {
+  const auto width = static_cast<std::size_t>(level.width), count = static_cast<std::size_t>(channels);
+  if (level.bytes.empty()) return use(FloatTexels{level.floats.data(), width, count});
+  return use(ByteTexels{level.bytes.data(), width, count, table_of(srgb).data(), table_of(false).data()});
 }
-
-float to_float(std::uint8_t code) { return static_cast<float>(code) * (1.0f / 255.0f); }
-
-/// Far outside any image but small enough to convert to int.
-float finite(float x) { return std::isfinite(x) ? std::clamp(x, -1e6f, 1e6f) : 0; }
 
 }  // namespace
 
@@ -65,16 +91,13 @@ MipMap::Level MipMap::halved(const Level& from) const {
       static_cast<std::size_t>(to.width) * static_cast<std::size_t>(to.height) * static_cast<std::size_t>(channels_);
   const bool bytes = !from.bytes.empty();
   (bytes ? to.bytes.resize(count) : to.floats.resize(count));
+  const Taps columns = area_taps(from.width, to.width), rows = area_taps(from.height, to.height);
   std::size_t at = 0;
-  for (int y = 0; y < to.height; ++y) {
-    const Cover rows = cover(y, from.height, to.height);
-    for (int x = 0; x < to.width; ++x) {
-      const Cover columns = cover(x, from.width, to.width);
+  for (std::size_t y = 0; y < rows.size(); ++y) {
+    for (std::size_t x = 0; x < columns.size(); ++x) {
       Vec4 sum(0);
-      for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i)
-          if (const float share = rows.share[j] * columns.share[i]; share > 0)
-            sum += share * fetch(from, columns.first + i, rows.first + j);
+      for (const Tap& row : rows[y])
+        for (const Tap& column : columns[x]) sum += row.weight * column.weight * fetch(from, column.index, row.index);
       for (int c = 0; c < channels_; ++c, ++at) {
         const float v = channels_ == 2 && c == 1 ? sum.w : sum[c];
         if (!bytes)
@@ -89,51 +112,26 @@ MipMap::Level MipMap::halved(const Level& from) const {
 }
 
 Vec4 MipMap::fetch(const Level& level, int x, int y) const {
-  const auto channels = static_cast<std::size_t>(channels_);
-  const std::size_t at =
-      (static_cast<std::size_t>(y) * static_cast<std::size_t>(level.width) + static_cast<std::size_t>(x)) * channels;
-  Vec4 v(0, 0, 0, 1);
-  if (level.bytes.empty()) {
-    for (std::size_t c = 0; c < channels; ++c) v[static_cast<int>(c)] = level.floats[at + c];
-  } else {
-    const std::uint8_t* p = &level.bytes[at];
-    if (settings_.srgb)
-      for (int c = 0; c < std::min(channels_, 3); ++c) v[c] = is_colour(c) ? srgb_decode8(p[c]) : to_float(p[c]);
-    else
-      for (int c = 0; c < std::min(channels_, 3); ++c) v[c] = to_float(p[c]);
-    if (channels_ == 4) v.w = to_float(p[3]);
-  }
-  if (channels_ == 1) return {v.x, v.x, v.x, 1};
-  if (channels_ == 2) return {v.x, v.x, v.x, v.y};
-  return v;
-}
-
-Vec4 MipMap::wrapped(const Level& level, int x, int y) const {
-  x = wrap(x, level.width, settings_.wrap_u), y = wrap(y, level.height, settings_.wrap_v);
-  return x < 0 || y < 0 ? Vec4(0) : fetch(level, x, y);
-}
-
-Vec4 MipMap::bilinear(const Level& level, Vec2 uv) const {
-  const float x = uv.x * static_cast<float>(level.width) - 0.5f, y = uv.y * static_cast<float>(level.height) - 0.5f;
-  const int x0 = static_cast<int>(std::floor(finite(x))), y0 = static_cast<int>(std::floor(finite(y)));
-  const float s = finite(x) - static_cast<float>(x0), t = finite(y) - static_cast<float>(y0);
-  return (1 - t) * ((1 - s) * wrapped(level, x0, y0) + s * wrapped(level, x0 + 1, y0)) +
-         t * ((1 - s) * wrapped(level, x0, y0 + 1) + s * wrapped(level, x0 + 1, y0 + 1));
+  return with_texels(level, channels_, settings_.srgb, [&](const auto& texel) { return texel(x, y); });
 }
 
 Vec4 MipMap::lookup(Vec2 uv, float filter_width) const {
-  uv = {finite(uv.x), finite(uv.y)};
   const Level& base = levels_[0];
+  const EdgeModes edges{settings_.wrap_u, settings_.wrap_v};
+  uv = {tame_coordinate(uv.x), tame_coordinate(uv.y)};
   if (settings_.filter == TextureFilter::nearest)
-    return wrapped(base, static_cast<int>(std::floor(finite(uv.x * static_cast<float>(base.width)))),
-                   static_cast<int>(std::floor(finite(uv.y * static_cast<float>(base.height)))));
+    return with_texels(base, channels_, settings_.srgb, [&](const auto& texel) {
+      return nearest_lookup({base.width, base.height}, uv, edges, texel);
+    });
+  const auto bilinear = [&](int i) {
+    const Level& level = levels_[static_cast<std::size_t>(i)];
+    return with_texels(level, channels_, settings_.srgb, [&](const auto& texel) {
+      return bilinear_lookup({level.width, level.height}, uv, edges, texel);
+    });
+  };
   const float texels = filter_width * static_cast<float>(std::max(base.width, base.height));
-  if (!(texels > 1) || levels_.size() == 1) return bilinear(base, uv);
-  const float level = std::min(std::log2(texels), static_cast<float>(levels_.size() - 1));
-  const auto lower = static_cast<std::size_t>(level);
-  const Vec4 fine = bilinear(levels_[lower], uv);
-  const float t = level - static_cast<float>(lower);
-  return t > 0 ? fine + t * (bilinear(levels_[lower + 1], uv) - fine) : fine;
+  if (!(texels > 1) || levels_.size() == 1) return bilinear(0);
+  return blended_levels(std::min(std::log2(texels), static_cast<float>(levels_.size() - 1)), bilinear);
 }
 
 }  // namespace lambert

@@ -1,5 +1,6 @@
 #pragma once
 #include "lambert/base/vec.h"
+#include "lambert/image/filter/edge_mode.h"
 #include "lambert/image/io.h"
 
 #include <cstdint>
@@ -7,7 +8,6 @@
 
 namespace lambert {
 
-enum class Wrap : std::uint8_t { repeat, mirror, clamp, black };
 enum class TextureFilter : std::uint8_t { nearest, bilinear, trilinear };
 
 /// An image at full and at halved sizes (odd sizes too: every texel of a level counts by its area). 8-bit images keep 8
@@ -16,7 +16,7 @@ enum class TextureFilter : std::uint8_t { nearest, bilinear, trilinear };
 class MipMap {
  public:
   struct Settings {
-    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+    EdgeMode wrap_u = EdgeMode::repeat, wrap_v = EdgeMode::repeat;
     TextureFilter filter = TextureFilter::trilinear;
     bool srgb = false;  ///< decode colour channels from sRGB (alpha never, linear floats never)
   };
@@ -39,8 +39,6 @@ class MipMap {
   };
   Level halved(const Level& from) const;
   Vec4 fetch(const Level& level, int x, int y) const;
-  Vec4 wrapped(const Level& level, int x, int y) const;
-  Vec4 bilinear(const Level& level, Vec2 uv) const;
   bool is_colour(int channel) const { return channel < 3 && !(channels_ == 2 && channel == 1); }
 
   std::vector<Level> levels_;

@@ -83,7 +83,7 @@ TEST(MipMap, EightBitsKeepTheMeanUpToTheirCodes) {
 // Black and white average to half the light, which sRGB stores as 188; alpha is never encoded.
 TEST(MipMap, SrgbIsAveragedInLinearLight) {
   const Texels texels{.width = 2, .height = 1, .channels = 4, .bytes = {0, 0, 0, 0, 255, 255, 255, 255}};
-  const MipMap m(texels, {.wrap_u = Wrap::clamp, .wrap_v = Wrap::clamp, .srgb = true});
+  const MipMap m(texels, {.wrap_u = EdgeMode::clamp, .wrap_v = EdgeMode::clamp, .srgb = true});
   expect_near(m.texel(1, 0, 0), {srgb_decode8(188), srgb_decode8(188), srgb_decode8(188), 128 / 255.0f}, 1e-6f);
   expect_near(m.lookup({0.5f, 0.5f}), Vec4(0.5f), 1e-5f, "bilinear");
   expect_near(MipMap(texels, {}).texel(1, 0, 0), Vec4(128 / 255.0f), 1e-6f, "not decoded unless asked");
@@ -116,7 +116,7 @@ TEST(MipMap, TexelCentresAreExact) {
 // rows: AA-22
 // Four texels of a level, weighted by the fractions; two levels, blended by the fraction of log2 of the width.
 TEST(MipMap, BilinearAndTrilinear) {
-  const MipMap m(floats(2, 2, 1, {10, 20, 30, 40}), {.wrap_u = Wrap::clamp, .wrap_v = Wrap::clamp});
+  const MipMap m(floats(2, 2, 1, {10, 20, 30, 40}), {.wrap_u = EdgeMode::clamp, .wrap_v = EdgeMode::clamp});
   const Vec2 uv(0.25f + 0.25f * 0.5f, 0.25f + 0.5f * 0.5f);  // fractions .25 and .5
   EXPECT_NEAR(m.lookup(uv).x, 22.5f, 1e-5f);
   const float width = std::exp2(0.3f) / 2;  // 2^.3 texels
@@ -124,13 +124,13 @@ TEST(MipMap, BilinearAndTrilinear) {
   EXPECT_NEAR(m.lookup(uv, 10).x, 25, 1e-5f) << "the top";
 
   // Five texels wide: log2 5 = 2.321928, between levels 2 and 3.
-  const MipMap wide(noise(16, 16, 1), {.wrap_u = Wrap::clamp, .wrap_v = Wrap::clamp});
+  const MipMap wide(noise(16, 16, 1), {.wrap_u = EdgeMode::clamp, .wrap_v = EdgeMode::clamp});
   const Vec4 fine = wide.lookup(Vec2(0.4f), 4.0f / 16), coarse = wide.lookup(Vec2(0.4f), 8.0f / 16);
   expect_near(wide.lookup(Vec2(0.4f), 5.0f / 16), fine + 0.321928f * (coarse - fine), 1e-6f);
 }
 
 TEST(MipMap, LookupsAreContinuous) {
-  const MipMap m(noise(13, 7, 3), {.wrap_u = Wrap::repeat, .wrap_v = Wrap::mirror});
+  const MipMap m(noise(13, 7, 3), {.wrap_u = EdgeMode::repeat, .wrap_v = EdgeMode::mirror});
   for (float width = 0.02f; width < 2; width *= 1.003f) {
     expect_near(m.lookup({0.3f, 0.6f}, width), m.lookup({0.3f, 0.6f}, width * 1.003f), 8e-3f, "in width");
   }
@@ -145,10 +145,10 @@ TEST(MipMap, LookupsAreContinuous) {
 // rows: AA-24
 TEST(MipMap, EdgeModes) {
   const std::array<int, 6> index = {-1, 0, 3, 4, 5, 8};
-  const std::pair<Wrap, std::array<float, 6>> modes[] = {{Wrap::clamp, {0, 0, 3, 3, 3, 3}},
-                                                         {Wrap::repeat, {3, 0, 3, 0, 1, 0}},
-                                                         {Wrap::mirror, {0, 0, 3, 3, 2, 0}},
-                                                         {Wrap::black, {0, 0, 3, 0, 0, 0}}};
+  const std::pair<EdgeMode, std::array<float, 6>> modes[] = {{EdgeMode::clamp, {0, 0, 3, 3, 3, 3}},
+                                                             {EdgeMode::repeat, {3, 0, 3, 0, 1, 0}},
+                                                             {EdgeMode::mirror, {0, 0, 3, 3, 2, 0}},
+                                                             {EdgeMode::black, {0, 0, 3, 0, 0, 0}}};
   for (const auto& [mode, expected] : modes) {
     for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear}) {
       const MipMap u(floats(4, 1, 1, {0, 1, 2, 3}), {.wrap_u = mode, .filter = filter});

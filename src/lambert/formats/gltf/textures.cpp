@@ -8,11 +8,11 @@
 namespace lambert::gltf {
 namespace {
 
-Wrap wrap_of(const JsonView& json) {
+EdgeMode wrap_of(const JsonView& json) {
   switch (json.count(10497)) {
-    case 10497: return Wrap::repeat;
-    case 33071: return Wrap::clamp;
-    case 33648: return Wrap::mirror;
+    case 10497: return EdgeMode::repeat;
+    case 33071: return EdgeMode::clamp;
+    case 33648: return EdgeMode::mirror;
     default: json.fail("unknown wrap mode (known: 10497, 33071, 33648)");
   }
 }

@@ -34,7 +34,7 @@ class Textures {
 
   Document* document_;
   TextureSet* set_;
-  std::map<std::tuple<std::string, Wrap, Wrap, TextureFilter, bool>, std::shared_ptr<const MipMap>> images_;
+  std::map<std::tuple<std::string, EdgeMode, EdgeMode, TextureFilter, bool>, std::shared_ptr<const MipMap>> images_;
 };
 
 /// KHR_texture_transform, and which set of coordinates `info` reads.

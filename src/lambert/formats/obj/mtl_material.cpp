@@ -115,7 +115,7 @@ class Converter {
       loaded.has_alpha = channel == Channel::opacity && texels.channels % 2 == 0;
       MipMap::Settings settings;
       settings.srgb = channel == Channel::colour && !texels.bytes.empty();
-      settings.wrap_u = settings.wrap_v = map.clamp ? Wrap::clamp : Wrap::repeat;
+      settings.wrap_u = settings.wrap_v = map.clamp ? EdgeMode::clamp : EdgeMode::repeat;
       ImageTexture texture;
       texture.image = std::make_shared<const MipMap>(std::move(texels), settings);
       texture.uv.matrix = uv_matrix(map);

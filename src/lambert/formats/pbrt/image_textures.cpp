@@ -32,12 +32,12 @@ Encoding parse_encoding(const ParameterList& list, const std::string& filename) 
   list.fail("unknown encoding " + unknown_word(word, {"sRGB", "linear", "gamma <exponent>"}));
 }
 
-Wrap parse_wrap(const ParameterList& list) {
+EdgeMode parse_wrap(const ParameterList& list) {
   const std::string word = list.string("wrap", "repeat");
-  if (word == "repeat") return Wrap::repeat;
-  if (word == "clamp") return Wrap::clamp;
-  if (word == "black") return Wrap::black;
-  if (word == "mirror") return Wrap::mirror;
+  if (word == "repeat") return EdgeMode::repeat;
+  if (word == "clamp") return EdgeMode::clamp;
+  if (word == "black") return EdgeMode::black;
+  if (word == "mirror") return EdgeMode::mirror;
   list.fail("unknown wrap mode " + unknown_word(word, {"repeat", "clamp", "black", "mirror"}));
 }
 

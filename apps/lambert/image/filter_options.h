@@ -1,0 +1,33 @@
+#pragma once
+/// What the verbs of `lambert image` that filter share.
+
+#include "lambert/base/vec.h"
+#include "lambert/image/filter/edge_mode.h"
+#include "lambert/image/image.h"
+
+#include <CLI/App.hpp>
+
+#include <string>
+#include <vector>
+
+namespace lambert::cli {
+
+struct FilterOptions {
+  std::string input;
+  std::vector<std::string> outputs;
+  std::string edge = "clamp";
+};
+
+/// IN and -o OUT…
+void add_image_paths(CLI::App& app, FilterOptions& o);
+void add_edge_option(CLI::App& app, FilterOptions& o);
+/// To every output; prints the paths.
+void write_outputs(const FilterOptions& o, Image image);
+void write_and_print(const std::string& path, const Image& image);
+
+/// "5" for both axes or "5x3", each from `low` to `high`. Throws Error.
+Vec2 parse_per_axis(const std::string& flag, const std::string& text, float low, float high);
+
+std::string listed(const std::vector<std::string>& names);
+
+}  // namespace lambert::cli

@@ -1,0 +1,74 @@
+#include "filter_options.h"
+#include "verb.h"
+
+#include "../command.h"
+#include "../number_range.h"
+
+#include "lambert/image/filter/textured_plane.h"
+#include "lambert/image/io.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+
+namespace lambert::cli {
+namespace {
+
+struct Options : FilterOptions {
+  std::vector<std::string> lookups;
+  std::string size = "256x256";
+  int samples = 1;
+  float anisotropy = 16;
+};
+
+Image joined(const std::vector<Image>& panels, int gap) {
+  const Image& first = panels[0];
+  const int step = first.width() + gap;
+  Image out(static_cast<int>(panels.size()) * step - gap, first.height(), rgb_channels());
+  std::ranges::fill(out.pixels(), 1.0f);
+  for (int y = 0; y < first.height(); ++y)
+    for (std::size_t i = 0; i < panels.size(); ++i)
+      std::ranges::copy(panels[i].row(y), out.row(y).begin() + 3 * static_cast<std::ptrdiff_t>(i) * step);
+  return out;
+}
+
+int run(const Options& o) {
+  TexturedPlane plane{.samples = o.samples};
+  const Vec2 size = parse_per_axis("--size", o.size, 1, 8192);
+  plane.width = static_cast<int>(size.x), plane.height = static_cast<int>(size.y);
+  const EdgeMode edge = edge_mode(o.edge);
+  plane.lookup.edges = {edge, edge};
+  plane.lookup.max_anisotropy = o.anisotropy;
+  const Pyramid texture(o.input.empty() ? checkerboard(256, 8) : read_image(o.input));
+  std::vector<Image> panels;
+  for (const std::string& name : o.lookups.empty() ? lookup_method_names() : o.lookups) {
+    plane.lookup.method = lookup_method(name);
+    panels.push_back(textured_plane(texture, plane));
+  }
+  write_outputs(o, joined(panels, 2));
+  return done;
+}
+
+}  // namespace
+
+std::function<int()> add_plane(CLI::App& app) {
+  static Options o;
+  o.edge = "repeat";
+  app.add_option("input", o.input, "The texture; a checkerboard when there is none")->type_name("IN");
+  app.add_option("-o,--output", o.outputs, "Image files to write")
+      ->required()
+      ->type_name("OUT")
+      ->allow_extra_args(false);
+  app.add_option("--lookup", o.lookups, "Side by side, in this order: " + listed(lookup_method_names()) + " (all)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--size", o.size, "WxH of one picture")->capture_default_str();
+  expect_number(app.add_option("--samples", o.samples, "Per pixel and axis")->capture_default_str(),
+                {.expected = "a whole number from 1 to 64", .low = 1, .below = 65});
+  expect_number(app.add_option("--anisotropy", o.anisotropy, "The longest ellipse by its ratio")->capture_default_str(),
+                {.expected = "a ratio from 1 to 256", .low = 1, .below = 256.001});
+  add_edge_option(app, o);
+  return [] { return run(o); };
+}
+
+}  // namespace lambert::cli
