@@ -65,7 +65,7 @@ class Info(ImageTest):
 
     def test_reads_or_refuses_the_corpus(self):
         for path in sorted(CORPUS.iterdir()):
-            good = path.name.startswith("good") or path.stem in ("bad-inf", "bad-nan", "bad-negative")
+            good = path.name.startswith("good") or path.stem in ("bad-inf", "bad-nan")
             with self.subTest(path.name):
                 done = self.image("info", path, status=0 if good else 1)
                 if not good:
@@ -74,13 +74,13 @@ class Info(ImageTest):
 
 class Convert(ImageTest):
     def test_every_format_and_back(self):
-        for name in ("b.exr", "b.hdr", "b.pic", "b.pfm", "b.png", "b.tif", "b.webp", "b.jpg"):
+        for name in ("b.exr", "b.hdr", "b.pic", "b.pfm", "b.png", "b.tif", "b.webp"):
             with self.subTest(name):
                 self.convert("a.pfm", name)
                 self.convert(name, "c.pfm")
                 for got, wanted in zip(self.pixels("c.pfm"), VALUES):
                     for g, w in zip(got, wanted):
-                        self.assertAlmostEqual(g, w, delta=0.03 if name == "b.jpg" else 4e-3)
+                        self.assertAlmostEqual(g, w, delta=4e-3)
 
     def test_depths(self):
         for name, depth, bound in (("b.exr", "float", 0), ("b.tif", "float", 0), ("b.exr", "half", 2e-4), ("b.png", "16", 2e-5),
@@ -121,7 +121,7 @@ class Convert(ImageTest):
         if not path.exists():
             self.skipTest(f"needs {path}")
         whole = self.facts(path)
-        self.assertEqual(whole["data_window"], {"x": 0, "y": 0, "width": 400, "height": 300})
+        self.assertEqual(whole["data_window"], {"x": 30, "y": 40, "width": 400, "height": 300})
         self.assertEqual(whole["display_window"], {"x": 0, "y": 0, "width": 501, "height": 401})
         kept = self.convert(path, "a.exr")
         self.assertEqual((kept["data_window"], kept["display_window"]), (whole["data_window"], whole["display_window"]))

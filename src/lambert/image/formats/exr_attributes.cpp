@@ -2,16 +2,13 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/number.h"
-#include "lambert/image/formats/exr_stream.h"
-
-#include <ImfOpaqueAttribute.h>
-#include <ImfStringAttribute.h>
-#include <ImfVersion.h>
+#include "lambert/image/formats/codecs.h"
 
 #include <algorithm>
 #include <bit>
 #include <charconv>
-#include <memory>
+#include <cstdint>
+#include <cstring>
 #include <sstream>
 #include <string_view>
 
@@ -41,20 +38,6 @@ const Layout* layout_of(std::string_view type) {
 }
 
 constexpr std::string_view environment_maps[] = {"latlong", "cube"};
-
-/// What describes the file and not the picture.
-bool is_layout(std::string_view name, std::string_view type) {
-  static constexpr std::string_view names[] = {
-      "channels", "compression", "dataWindow", "displayWindow", "lineOrder",
-      "tiles",    "type",        "version",    "chunkCount",    "maxSamplesPerPixel"};
-  return type == "preview" || std::ranges::find(names, name) != std::end(names);
-}
-
-/// What every header has, and what it is without a note.
-bool is_default(std::string_view name, std::string_view value) {
-  return ((name == "pixelAspectRatio" || name == "screenWindowWidth") && value == "1") ||
-         (name == "screenWindowCenter" && value == "0 0");
-}
 
 template <class T>
 T load(const std::byte* at) {
@@ -162,8 +145,21 @@ std::vector<std::byte> hex_bytes(const std::string& name, const Attribute& a) {
   return bytes;
 }
 
-/// The value as the file has it.
-std::vector<std::byte> attribute_bytes(const std::string& name, const Attribute& a) {
+}  // namespace
+
+bool is_exr_layout(std::string_view name, std::string_view type) {
+  static constexpr std::string_view names[] = {
+      "channels", "compression", "dataWindow", "displayWindow", "lineOrder",
+      "tiles",    "type",        "version",    "chunkCount",    "maxSamplesPerPixel"};
+  return type == "preview" || std::ranges::find(names, name) != std::end(names);
+}
+
+bool is_exr_default(std::string_view name, std::string_view value) {
+  return ((name == "pixelAspectRatio" || name == "screenWindowWidth") && value == "1") ||
+         (name == "screenWindowCenter" && value == "0 0");
+}
+
+std::vector<std::byte> exr_bytes(const std::string& name, const Attribute& a) {
   if (a.type == "stringvector") return words_bytes(a.value);
   if (a.type == "envmap") {
     const auto found = std::ranges::find(environment_maps, a.value);
@@ -199,48 +195,12 @@ std::vector<std::byte> attribute_bytes(const std::string& name, const Attribute&
   return bytes;
 }
 
-std::string value_text(const std::string& type, Bytes bytes) {
+std::string exr_text(const std::string& type, Bytes bytes) {
   if (type == "stringvector") return words_text(bytes);
   if (type == "envmap" && bytes.size() == 1 && std::to_integer<std::size_t>(bytes[0]) < std::size(environment_maps))
     return std::string(environment_maps[std::to_integer<std::size_t>(bytes[0])]);
   const Layout* layout = layout_of(type);
   return layout ? numbers_text(bytes, *layout) : hex_text(bytes);
-}
-
-}  // namespace
-
-void read_attributes(const Imf::Header& header, std::map<std::string, std::string>& metadata,
-                     std::map<std::string, Attribute>& attributes) {
-  for (auto a = header.begin(); a != header.end(); ++a) {
-    const std::string name = a.name(), type = a.attribute().typeName();
-    if (is_layout(name, type)) continue;
-    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute())) {
-      metadata[name] = text->value();
-      continue;
-    }
-    MemoryOutput out;
-    a.attribute().writeValueTo(out, Imf::EXR_VERSION);
-    const std::string value = value_text(type, out.bytes);
-    if (!is_default(name, value)) attributes[name] = {type, value};
-  }
-}
-
-void write_attributes(Imf::Header& header, const std::map<std::string, std::string>& metadata,
-                      const std::map<std::string, Attribute>& attributes) {
-  for (const auto& [name, text] : metadata) {
-    if (is_layout(name, "string")) throw Error("OpenEXR keeps the name '" + name + "' for itself");
-    header.insert(name, Imf::StringAttribute(text));
-  }
-  for (const auto& [name, a] : attributes) {
-    if (is_layout(name, a.type)) throw Error("OpenEXR keeps the name '" + name + "' for itself");
-    const std::vector<std::byte> bytes = attribute_bytes(name, a);
-    const std::unique_ptr<Imf::Attribute> attribute(Imf::Attribute::knownType(a.type.c_str())
-                                                        ? Imf::Attribute::newAttribute(a.type.c_str())
-                                                        : new Imf::OpaqueAttribute(a.type.c_str()));
-    MemoryInput in(bytes, name);
-    attribute->readValueFrom(in, static_cast<int>(bytes.size()), Imf::EXR_VERSION);
-    header.insert(name, *attribute);
-  }
 }
 
 }  // namespace lambert

@@ -5,26 +5,79 @@
 #include "lambert/image/channels.h"
 #include "lambert/image/formats/exr_attributes.h"
 #include "lambert/image/formats/exr_names.h"
-#include "lambert/image/formats/exr_stream.h"
 #include "lambert/image/formats/exr_threads.h"
 #include "lambert/image/primaries.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfPartType.h>
 #include <ImfRgbaFile.h>
 #include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
+#include <ImfVersion.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 
 namespace lambert {
 namespace {
+
+class MemoryInput final : public Imf::IStream {
+ public:
+  MemoryInput(Bytes data, const std::string& name) : IStream(name.c_str()), data_(data) {}
+  bool read(char c[], int n) override {
+    const auto count = static_cast<std::size_t>(n > 0 ? n : 0);
+    if (count > data_.size() - at_) decode_error(fileName(), "ends at byte " + std::to_string(data_.size()));
+    std::memcpy(c, data_.data() + at_, count);
+    at_ += count;
+    return at_ < data_.size();
+  }
+  std::uint64_t tellg() override { return at_; }
+  void seekg(std::uint64_t position) override {
+    if (position > data_.size()) decode_error(fileName(), "points behind its end");
+    at_ = static_cast<std::size_t>(position);
+  }
+
+ private:
+  Bytes data_;
+  std::size_t at_ = 0;
+};
+
+/// The bytes of one attribute.
+class AttributeBytes final : public Imf::OStream {
+ public:
+  AttributeBytes() : OStream("attribute") {}
+  void write(const char c[], int n) override {
+    const auto* from = reinterpret_cast<const std::byte*>(c);
+    bytes.insert(bytes.end(), from, from + n);
+  }
+  std::uint64_t tellp() override { return bytes.size(); }
+  void seekp(std::uint64_t) override {}
+  std::vector<std::byte> bytes;
+};
+
+/// Strings into the metadata, other values into the attributes.
+void read_attributes(const Imf::Header& from, ImageHeader& to) {
+  for (auto a = from.begin(); a != from.end(); ++a) {
+    const std::string name = a.name(), type = a.attribute().typeName();
+    if (is_exr_layout(name, type)) continue;
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute())) {
+      to.metadata[name] = text->value();
+      continue;
+    }
+    AttributeBytes out;
+    a.attribute().writeValueTo(out, Imf::EXR_VERSION);
+    const std::string value = exr_text(type, out.bytes);
+    if (!is_exr_default(name, value)) to.attributes[name] = {type, value};
+  }
+}
 
 /// In 64 bits, since corners may lie anywhere in the plane.
 struct Box {
@@ -164,7 +217,7 @@ void ExrReader::State::open() {
                  "its display window is " + std::to_string(display.width()) + "x" + std::to_string(display.height()));
   header.data = window_of(box);
   header.display = window_of(display);
-  read_attributes(h, header.metadata, header.attributes);
+  read_attributes(h, header);
   if (file.parts() > 1) header.metadata.erase("name"), header.metadata.erase("view");
 
   const std::vector<ExrChannel> channels = named_channels(part_names, shown);

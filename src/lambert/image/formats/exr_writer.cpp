@@ -4,14 +4,17 @@
 #include "lambert/base/parallel.h"
 #include "lambert/image/channels.h"
 #include "lambert/image/formats/exr_attributes.h"
-#include "lambert/image/formats/exr_stream.h"
 #include "lambert/image/formats/exr_threads.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfOpaqueAttribute.h>
 #include <ImfOutputFile.h>
 #include <ImfStdIO.h>
+#include <ImfStringAttribute.h>
+#include <ImfVersion.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -21,6 +24,62 @@
 
 namespace lambert {
 namespace {
+
+class MemoryOutput final : public Imf::OStream {
+ public:
+  MemoryOutput() : OStream("memory") {}
+  void write(const char c[], int n) override {
+    const auto count = static_cast<std::size_t>(n);
+    if (bytes.size() < at_ + count) bytes.resize(at_ + count);
+    std::memcpy(bytes.data() + at_, c, count);
+    at_ += count;
+  }
+  std::uint64_t tellp() override { return at_; }
+  void seekp(std::uint64_t position) override { at_ = static_cast<std::size_t>(position); }
+  std::vector<std::byte> bytes;
+
+ private:
+  std::size_t at_ = 0;
+};
+
+/// The bytes of one attribute.
+class AttributeBytes final : public Imf::IStream {
+ public:
+  explicit AttributeBytes(std::span<const std::byte> bytes) : IStream("attribute"), bytes_(bytes) {}
+  bool read(char c[], int n) override {
+    const auto count = static_cast<std::size_t>(n > 0 ? n : 0);
+    if (count > bytes_.size() - at_) throw Error("an attribute is too short");
+    std::memcpy(c, bytes_.data() + at_, count);
+    at_ += count;
+    return at_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return at_; }
+  void seekg(std::uint64_t position) override { at_ = std::min<std::size_t>(position, bytes_.size()); }
+
+ private:
+  std::span<const std::byte> bytes_;
+  std::size_t at_ = 0;
+};
+
+void write_attributes(Imf::Header& to, const ImageHeader& from) {
+  const auto check = [](const std::string& name, const std::string& type) {
+    if (is_exr_layout(name, type)) throw Error("OpenEXR keeps the name '" + name + "' for itself");
+  };
+  for (const auto& [name, text] : from.metadata) {
+    check(name, "string");
+    to.insert(name, Imf::StringAttribute(text));
+  }
+  for (const auto& [name, a] : from.attributes) {
+    check(name, a.type);
+    const std::vector<std::byte> bytes = exr_bytes(name, a);
+    const bool known = Imf::Attribute::knownType(a.type.c_str());
+    const std::unique_ptr<Imf::Attribute> attribute(known ? Imf::Attribute::newAttribute(a.type.c_str())
+                                                          : new Imf::OpaqueAttribute(a.type.c_str()));
+    AttributeBytes in(bytes);
+    attribute->readValueFrom(in, static_cast<int>(bytes.size()), Imf::EXR_VERSION);
+    to.insert(name, *attribute);
+  }
+}
 
 /// What is too large for a half is its largest number; infinities and NaN stay what they are.
 half to_half(float v) { return half(std::isfinite(v) ? std::clamp(v, -65504.0f, 65504.0f) : v); }
@@ -57,7 +116,7 @@ Imath::Box2i box_of(const Window& w) {
 Imf::Header header_of(const ImageHeader& h, const WriteOptions& options) {
   Imf::Header header(box_of(h.display), box_of(h.data));
   header.compression() = stored(options.compression);
-  write_attributes(header, h.metadata, h.attributes);
+  write_attributes(header, h);
   for (const std::string& c : h.channels) header.channels().insert(c, Imf::Channel(stored_type(c, options.depth)));
   return header;
 }
