@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""CPU seconds of `lambert image resize` and `blur` beside oiiotool's, in turn, on one 4096 x 2160 float image.
+"""CPU seconds of `lambert image resize` and `blur` beside oiiotool's, in turn, on one 2048 x 1080 float image.
 
 usage: resize.py LAMBERT [--plot FILE.svg] [--rounds N]    medians of N (5) rounds, with the reading and
 writing of files, which the line "copy" has alone
@@ -16,7 +16,7 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import svg_plot
 
-WIDTH, HEIGHT = 4096, 2160
+WIDTH, HEIGHT = 2048, 1080
 
 
 def cpu_seconds(command, folder):
@@ -33,7 +33,7 @@ def main():
     parser.add_argument("--rounds", type=int, default=5)
     args = parser.parse_args()
     lambert = str(pathlib.Path(args.lambert).resolve())
-    small, large = "1024x540", "6144x3240"
+    small, large = "512x270", "3072x1620"
     cases = {}
     for theirs, ours in (("box", "box"), ("triangle", "triangle"), ("lanczos3", "lanczos"), ("blackman-harris", "blackman-harris")):
         for size, word in ((small, "÷4"), (large, "×1.5")):

@@ -79,17 +79,18 @@ class Resize(Filters):
         ours = {"box": ["box"], "triangle": ["triangle"], "gaussian": ["gaussian", "--sigma", "0.75", "--truncated"],
                 "catmull-rom": ["catmull-rom"], "mitchell": ["mitchell"], "lanczos3": ["lanczos"],
                 "blackman-harris": ["blackman-harris"]}
-        self.noise("in.pfm", 97, 64)
-        # No ratio at which a box's edge falls on a pixel's centre, where rounding decides.
-        for size in ("41x27", "211x150", "30x131", "97x64"):
+        self.noise("in.pfm", 97, 63)
+        # Odd sizes, so that no edge of a box falls on a pixel's centre, where rounding decides.
+        # Not smaller in x and larger in y: there it cuts kernels off in y, by the radius of x.
+        for size in ("41x27", "211x150", "131x31", "97x63"):
             for theirs, name in ours.items():
                 subprocess.run([OIIOTOOL, "in.pfm", f"--resize:filter={theirs}", size, "-d", "float", "-o", "theirs.exr"],
                                cwd=self.folder, check=True, capture_output=True)
                 self.image("mipmap", "theirs.exr", "--level", "0", "-o", "theirs.pfm")  # which it cannot write
                 self.image("resize", "in.pfm", "--size", size, "--filter", *name, "-o", "ours.pfm")
                 worst = max(abs(a - b) for a, b in zip(self.pixels("ours.pfm"), self.pixels("theirs.pfm")))
-                # Theirs has an exponential and weights in single precision.
-                self.assertLess(worst, 2e-5 if theirs == "gaussian" else 5e-6, f"{theirs} {size}")
+                # Theirs has places and weights in single precision: 97 pixels are exact to 4e-6, a lobe falls by 1.4 a pixel.
+                self.assertLess(worst, 4e-5, f"{theirs} {size}")
 
 
 class Others(Filters):
