@@ -138,7 +138,8 @@ void write_probe(const std::string& file, const Probe& probe, Arrangement arrang
                                              : ": {} in a name stands for six faces; this layout is one picture"));
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (probe.texels == TexelRule::edge_to_edge)
-      pictures[i].metadata["envmap"] = std::holds_alternative<Cube>(probe.projection) ? "cube" : "latlong";
+      pictures[i].metadata["probe.layout"] =
+          std::holds_alternative<Cube>(probe.projection) ? "openexr-cube" : "openexr-lat-long";
     write_image(files[i], pictures[i]);
     print_written(files[i]);
   }

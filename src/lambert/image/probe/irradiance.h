@@ -9,7 +9,7 @@ namespace lambert::probe {
 /// Irradiance from all around by full quadrature: E(n) = ∫ L(d) max(0, n·d) dω, per channel of colour (grey counts as
 /// three equal ones). Moments ∫ L d dω of ever larger blocks of texels stand in a tree: blocks that a surface sees
 /// wholly give n · moment, which is exact; blocks on its horizon are split. Of maps above 2^19 texels the leaves are
-/// blocks. A constant environment is right to 1e-4, a cosine
+/// blocks. A constant environment is right to 1e-4 (3e-4 on disks), a cosine
 /// lobe on lat-long maps and cubes of 128 rows too. Values must be finite.
 class Irradiance {
  public:

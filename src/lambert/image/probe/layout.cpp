@@ -102,9 +102,9 @@ std::vector<std::string> layout_names() {
 
 std::string guess_layout(const Image& image) {
   const auto w = static_cast<std::int64_t>(image.width()), h = static_cast<std::int64_t>(image.height());
-  const auto envmap = image.metadata.find("envmap");
-  if (envmap != image.metadata.end() && envmap->second == "latlong") return "openexr-lat-long";
-  if (envmap != image.metadata.end() && envmap->second == "cube") return "openexr-cube";
+  const auto layout = image.metadata.find("probe.layout");
+  if (layout != image.metadata.end() && layout->second == "openexr-lat-long") return "openexr-lat-long";
+  if (layout != image.metadata.end() && layout->second == "openexr-cube") return "openexr-cube";
   if (w == 2 * h) return "lat-long";
   if (4 * w == 3 * h) return "vertical-cross";
   if (3 * w == 4 * h) return "horizontal-cross";

@@ -37,7 +37,7 @@ struct Layout {
 Layout layout(std::string_view name);
 std::vector<std::string> layout_names();
 /// What a picture of this shape is most likely, as a name; throws Error for a shape of no or of several layouts (1:1)
-/// that says so. A picture that was written by OpenEXR's rules ("envmap" in its metadata) is told by that.
+/// that says so. A picture that was written by OpenEXR's rules ("probe.layout" in its metadata) is told by that.
 std::string guess_layout(const Image& image);
 
 /// A map of directions, its charts all of one size and with the same channels.

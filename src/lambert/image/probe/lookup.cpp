@@ -129,13 +129,13 @@ void Lookup::add_all(const P& projection, std::span<const Vec3> directions, std:
                      float* sums) const {
   const std::size_t row = static_cast<std::size_t>(width_ + 2) * stride_;
   const std::size_t chart = row * static_cast<std::size_t>(height_ + 2);
-  const auto last_x = static_cast<float>(width_), last_y = static_cast<float>(height_);
+  const auto last_x = static_cast<float>(width_ + 1), last_y = static_cast<float>(height_ + 1);
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const auto p = projection.point(directions[i]);
     if (!p) continue;
     const float x = std::clamp(p->uv.x * scale_.x + shift_.x, 0.0f, last_x);
     const float y = std::clamp(p->uv.y * scale_.y + shift_.y, 0.0f, last_y);
-    const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
+    const int x0 = std::min(static_cast<int>(x), width_), y0 = std::min(static_cast<int>(y), height_);
     const float s = x - static_cast<float>(x0), t = y - static_cast<float>(y0), w = weights[i];
     const float* top = &values_[static_cast<std::size_t>(p->chart) * chart + static_cast<std::size_t>(y0) * row +
                                 static_cast<std::size_t>(x0) * stride_];

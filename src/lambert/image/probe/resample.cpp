@@ -135,7 +135,7 @@ Probe resample(const Probe& source, const AnyProjection& projection, TexelRule t
   for (int i = 0; i < chart_count(projection); ++i)
     target.charts.emplace_back(size.x, size.y, source.charts.front().channels());
   target.charts.front().metadata = source.charts.front().metadata;
-  target.charts.front().metadata.erase("envmap");
+  target.charts.front().metadata.erase("probe.layout");
   Resampler(source, target, settings).run();
   return target;
 }
