@@ -85,19 +85,28 @@ std::vector<float> noise_table(const std::vector<double>& noise, const Knots& kn
 }
 
 /// The known curve that explains the photographs as well as the recovered ones do, up to 2 % of the misfit and what
-/// their freedom alone gains.
-std::optional<Response> known_curve(const std::vector<LogRecovery>& channels, const Knots& knots) {
-  std::optional<Response> best;
+/// their freedom alone gains. Codes below 12 of 255 have no say: rounding makes their mean another than the curve's,
+/// which only the recovered ones can follow.
+std::optional<Response> known_curve(const std::vector<LogRecovery>& channels, const std::vector<Samples>& samples,
+                                    const Knots& knots) {
+  std::vector<LogEquations> equations;
   double least = 0, terms = 0;
-  for (const LogRecovery& r : channels)
-    least += r.equations.misfit(r.g), terms += static_cast<double>(r.equations.terms);
+  const std::size_t lowest = 12 * knots.below.size() / 256;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    std::vector<double> weights = channels[c].weights;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      if (samples[c].codes[i] < lowest) weights[i] = 0;
+    equations.push_back(log_equations(samples[c], knots, weights));
+    least += equations[c].misfit(channels[c].g), terms += static_cast<double>(equations[c].terms);
+  }
+  if (terms == 0) return std::nullopt;
   const double freedom = 40.0 * static_cast<double>(channels.size());
   double allowed = 1.02 * least * (terms + freedom) / terms;
+  std::optional<Response> best;
   for (const char* word : {"srgb", "linear", "gamma 2.2"}) {
     Response known = response_named(word, channels.size(), knots.below.size());
     double misfit = 0;
-    for (std::size_t c = 0; c < channels.size(); ++c)
-      misfit += channels[c].equations.misfit(log_of(known.exposure[c], knots));
+    for (std::size_t c = 0; c < channels.size(); ++c) misfit += equations[c].misfit(log_of(known.exposure[c], knots));
     if (misfit <= allowed) allowed = misfit, best = std::move(known);
   }
   return best;
@@ -157,7 +166,7 @@ Recovery recover_response(const ExposureStack& stack, const RecoverySettings& se
     recovery.response.exposure.push_back(table_of(found[c].g, knots));
   }
   if (settings.method == RecoveryMethod::automatic)
-    if (auto known = known_curve(found, knots)) {
+    if (auto known = known_curve(found, samples, knots)) {
       recovery.model = known->name;
       recovery.response = std::move(*known);
     }

@@ -206,6 +206,7 @@ LogRecovery recover_automatic(const Samples& s, const Knots& knots) {
     const std::vector<double> d = deviation(result.equations, result.g);
     for (std::size_t k = 0; k < d.size(); ++k) result.g[k] += d[k];
   }
+  result.weights = std::move(weights);
   return result;
 }
 

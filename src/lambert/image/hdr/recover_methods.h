@@ -12,7 +12,8 @@ namespace lambert::hdr {
 /// ln exposure at the knots, with its slope, and what was found on the way.
 struct LogRecovery {
   std::vector<double> g;
-  LogEquations equations;  ///< of the last turn, weights included
+  LogEquations equations;       ///< of the last turn
+  std::vector<double> weights;  ///< of its terms, as Samples::codes
 };
 
 /// Turns of weighted least squares: a term's weight is 1 / (g'² (noise(code)² + (slope / 4)²)), which is the variance

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <unordered_set>
 
 namespace lambert::hdr {
 namespace {
@@ -74,6 +75,7 @@ Samples select_samples(const ExposureStack& stack, std::size_t channel) {
   std::array<std::size_t, bins> taken{};
   const std::size_t codes_per_bin = static_cast<std::size_t>(stack.levels) / bins;
   std::vector<std::uint16_t> codes(n);
+  std::unordered_set<std::uint64_t> seen;
   std::size_t cell = 0;
   for (std::size_t i = 0; i < grid.count(); ++i, cell = (cell + step) % grid.count()) {
     const std::uint64_t jitter = hash_values(cell);
@@ -93,6 +95,9 @@ Samples select_samples(const ExposureStack& stack, std::size_t channel) {
       rare |= taken[static_cast<std::size_t>(code) / codes_per_bin] < enough_of_a_bin;
     }
     if (usable < 2 || !rare) continue;
+    std::uint64_t together = 0;
+    for (const std::uint16_t code : codes) together = hash_values(together, code);
+    if (!seen.insert(together).second) continue;
     for (std::size_t j = 0; j < n; ++j) {
       if (samples.usable.contains(codes[j])) ++taken[codes[j] / codes_per_bin];
       samples.codes.push_back(codes[j]);

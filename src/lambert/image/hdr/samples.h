@@ -29,7 +29,8 @@ struct Samples {
 };
 
 /// Up to some tens of thousands of pixels with at least two usable codes, spread over the image and over the codes:
-/// a pixel is taken as long as one of its codes is still rare among those taken. The same ones every time.
+/// a pixel is taken as long as one of its codes is still rare among those taken, and none has the same codes in all
+/// frames: in a flat sky all share one error of rounding, which would pass for truth. The same ones every time.
 Samples select_samples(const ExposureStack& stack, std::size_t channel);
 
 }  // namespace lambert::hdr
