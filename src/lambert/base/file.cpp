@@ -86,20 +86,34 @@ void check_writable(const fs::path& path) {
   fs::remove(temporary, ignored);
 }
 
-void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  const fs::path target = regular_target(path);
-  const fs::path temporary = temporary_beside(target);
+AtomicFile::AtomicFile(const fs::path& path)
+    : path_(path), target_(regular_target(path)), temporary_(temporary_beside(target_)) {}
+
+AtomicFile::~AtomicFile() {
   std::error_code ignored;
+  if (!temporary_.empty()) fs::remove(temporary_, ignored);
+}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, fs::path())) {}
+
+void AtomicFile::commit() {
+  std::error_code problem;
+  fs::rename(temporary_, target_, problem);
+  if (problem) cannot_write(path_, problem.message());
+  temporary_.clear();
+}
+
+void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  AtomicFile file(path);
   try {
-    write(temporary);
-    fs::rename(temporary, target);
+    write(file.temporary());
   } catch (const fs::filesystem_error& e) {
-    fs::remove(temporary, ignored);
     cannot_write(path, e.code().message());
-  } catch (...) {
-    fs::remove(temporary, ignored);
-    throw;
   }
+  file.commit();
 }
 
 void write_atomically(const fs::path& path, std::span<const std::byte> bytes) {

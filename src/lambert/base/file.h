@@ -25,9 +25,24 @@ class MappedFile {
   std::size_t size_ = 0;
 };
 
+/// A file that appears at `path` whole or not at all: it is written at temporary(), beside it, and renamed by commit();
+/// without that the destructor removes it. A symbolic link stays, its target is written. The constructor and commit()
+/// throw Error naming `path` when it cannot be written, as when it is a folder or a device.
+class AtomicFile {
+ public:
+  explicit AtomicFile(const std::filesystem::path& path);
+  ~AtomicFile();
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&&) = delete;
+  const std::filesystem::path& temporary() const { return temporary_; }
+  void commit();
+
+ private:
+  std::filesystem::path path_, target_, temporary_;
+};
+
 /// Writes `path` whole or not at all: `write` fills a temporary file beside it, which is then renamed over it. On an
-/// exception the temporary is removed and `path` is untouched. A symbolic link stays, its target is written. Throws
-/// Error naming `path` when it cannot be written, as when it is a folder or a device.
+/// exception the temporary is removed and `path` is untouched. Throws as AtomicFile does.
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path&)>& write);
 void write_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);

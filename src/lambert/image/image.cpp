@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace lambert {
 
@@ -40,6 +41,32 @@ void Image::set_rgb(int x, int y, Rgb c) {
   float* p = &pixels_[index(x, y)];
   p[0] = c.r, p[1] = c.g, p[2] = c.b;
 }
+
+Image cut(const Image& image, const Window& window) {
+  if (window == image.data_window()) return image;
+  Image result(window.width, window.height, image.channels());
+  result.place({window.x, window.y}, image.display_window());
+  result.metadata = image.metadata;
+  result.attributes = image.attributes;
+  // In 64 bits: windows may lie anywhere in the plane.
+  const Window data = image.data_window();
+  const auto overlap = [](int a, int a_size, int b, int b_size) {
+    const std::int64_t first = std::max(a, b);
+    const std::int64_t last = std::min(std::int64_t{a} + a_size, std::int64_t{b} + b_size);
+    return std::pair{first, std::max(first, last)};
+  };
+  const auto [x0, x1] = overlap(data.x, data.width, window.x, window.width);
+  const auto [y0, y1] = overlap(data.y, data.height, window.y, window.height);
+  const std::size_t channels = image.channel_count();
+  const auto columns = [&](std::int64_t x) { return static_cast<std::size_t>(x) * channels; };
+  for (std::int64_t y = y0; y < y1 && x0 < x1; ++y) {
+    const auto from = image.row(static_cast<int>(y - data.y)).subspan(columns(x0 - data.x), columns(x1 - x0));
+    std::ranges::copy(from, result.row(static_cast<int>(y - window.y)).subspan(columns(x0 - window.x)).begin());
+  }
+  return result;
+}
+
+Image displayed(const Image& image) { return cut(image, image.display_window()); }
 
 std::vector<std::string> rgb_channels() { return {"R", "G", "B"}; }
 std::vector<std::string> rgba_channels() { return {"R", "G", "B", "A"}; }

@@ -18,6 +18,13 @@ struct Window {
   bool operator==(const Window&) const = default;
 };
 
+/// A value that travels with the image and is not plain text: OpenEXR's name of its type ("float", "v2f", "m44f",
+/// "timecode", "rational", "chromaticities", "envmap", "stringvector" ...) and its numbers or words, parted by spaces.
+struct Attribute {
+  std::string type, value;
+  bool operator==(const Attribute&) const = default;
+};
+
 /// Pixels as floats: rows from the top, channels interleaved, linear light, premultiplied alpha. Channels have EXR
 /// names ("R", "G", "B", "A", "Z", "albedo.R", "normal.X"), so that layers are just channels. An image lies on the
 /// picture's plane at its data window; the display window is what of the plane is shown. All of width(), at() and
@@ -58,6 +65,8 @@ class Image {
 
   /// Text that travels with the image ("software", "seed"): EXR string attributes, PNG tEXt.
   std::map<std::string, std::string> metadata;
+  /// Values that do, by OpenEXR's names: "pixelAspectRatio", "framesPerSecond", "expTime" (seconds), "isoSpeed" ...
+  std::map<std::string, Attribute> attributes;
 
  private:
   std::size_t index(int x, int y) const {
@@ -70,6 +79,12 @@ class Image {
   std::vector<std::string> channels_;
   std::vector<float> pixels_;
 };
+
+/// What lies in `window` of the plane, zero where the image has no data. The data window of the result is `window`,
+/// its display window stays. Throws Error as the constructor does.
+Image cut(const Image& image, const Window& window);
+/// What is shown: the image cut to its display window.
+Image displayed(const Image& image);
 
 /// The usual names: {"R","G","B"} and with "A".
 std::vector<std::string> rgb_channels();

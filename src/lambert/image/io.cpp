@@ -190,7 +190,45 @@ Texels decode_texels(Bytes data, const std::string& name) {
   return t;
 }
 
-void write_image(const std::filesystem::path& path, const Image& image) {
+namespace {
+
+template <class T>
+using Words = std::vector<std::pair<std::string, T>>;
+const Words<Depth>& depths() {
+  static const Words<Depth> all{{"auto", Depth::automatic},
+                                {"8", Depth::bits8},
+                                {"16", Depth::bits16},
+                                {"half", Depth::half},
+                                {"float", Depth::full}};
+  return all;
+}
+const Words<Compression>& compressions() {
+  using enum Compression;
+  static const Words<Compression> all{{"none", none},   {"rle", rle}, {"zips", zips}, {"zip", zip},   {"piz", piz},
+                                      {"pxr24", pxr24}, {"b44", b44}, {"b44a", b44a}, {"dwaa", dwaa}, {"dwab", dwab}};
+  return all;
+}
+template <class T>
+std::vector<std::string> words_of(const Words<T>& words) {
+  std::vector<std::string> all;
+  for (const auto& [word, value] : words) all.push_back(word);
+  return all;
+}
+template <class T>
+T value_of(const Words<T>& words, std::string_view word, const std::string& what) {
+  for (const auto& [known, value] : words)
+    if (known == word) return value;
+  throw Error("unknown " + what + " " + unknown_word(word, words_of(words)));
+}
+
+}  // namespace
+
+Depth parse_depth(std::string_view word) { return value_of(depths(), word, "depth"); }
+Compression parse_compression(std::string_view word) { return value_of(compressions(), word, "compression"); }
+std::vector<std::string> depth_words() { return words_of(depths()); }
+std::vector<std::string> compression_words() { return words_of(compressions()); }
+
+void write_image(const std::filesystem::path& path, const Image& image, const WriteOptions&) {
   const Format& format = format_of(path);
   try {
     if (image.empty()) throw Error("an image without pixels cannot be written");

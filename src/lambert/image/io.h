@@ -1,25 +1,48 @@
 #pragma once
 /// Image files. Radiance formats (.exr .hdr .pfm) hold linear light; display formats (.png .jpg .tif .webp) hold sRGB
-/// with straight alpha and are converted on the way in and out.
+/// with straight alpha and are converted on the way in and out. In memory colours have Rec. 709 primaries and white
+/// D65; what a file says to be in others is converted (image/primaries.h).
 
 #include "lambert/image/image.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lambert {
 
-/// Reads any known format; its kind is found by its first bytes, not by its name. Throws Error naming file and offset.
+/// Reads any known format; its kind is found by its first bytes, not by its name. OpenEXR files keep their windows
+/// (Image::data_window()): use displayed() for what is shown. Photographs are turned as their Exif data say. Throws
+/// Error naming file and offset.
 Image read_image(const std::filesystem::path& path);
 
-/// Writes by extension, whole or not at all. Display formats clip to [0,1] after the sRGB curve; `.exr` keeps all
-/// channels, half floats for colour and full floats for Z, position, ids and counts; `.tif` is 16 bit. Throws Error
-/// naming the path.
-void write_image(const std::filesystem::path& path, const Image& image);
+/// How numbers are stored. `automatic`: `.exr` half, but full floats for Z, position, ids, counts and variances;
+/// `.png .jpg .webp` 8 bits; `.tif` 16 bits; `.hdr` and `.pfm` have no choice.
+enum class Depth { automatic, bits8, bits16, half, full };
+/// OpenEXR's. All but pxr24 (of floats), b44, b44a, dwaa and dwab are lossless.
+enum class Compression { none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab };
+
+struct WriteOptions {
+  Depth depth = Depth::automatic;
+  Compression compression = Compression::zip;  ///< of `.exr`; others have their own
+  std::optional<int> quality = std::nullopt;   ///< 1 to 100; JPEG 92 without it, WebP lossless
+};
+
+/// "auto", "8", "16", "half", "float"; "none", "rle" ... Throw Error with the known words for another.
+Depth parse_depth(std::string_view word);
+Compression parse_compression(std::string_view word);
+std::vector<std::string> depth_words();
+std::vector<std::string> compression_words();
+
+/// Writes by extension, whole or not at all. Formats without windows get displayed(). Display formats clip to [0,1]
+/// after the sRGB curve, but for `.tif` of full floats, which is linear and not clipped; `.exr` keeps all channels,
+/// windows and attributes. Throws Error naming the path, also when the format has not the depth asked for.
+void write_image(const std::filesystem::path& path, const Image& image, const WriteOptions& options = {});
 
 /// True for formats that hold unbounded linear light. Throws Error with the known extensions for an unknown one.
 bool is_radiance_format(const std::filesystem::path& path);
@@ -32,8 +55,9 @@ struct Texels {
   std::vector<float> floats;        ///< radiance formats, and 16-bit codes over 65535
   bool linear = false;              ///< floats that are linear light already
 };
-/// Decodes an image in memory (PNG, JPEG, WebP, TIFF, EXR, HDR, PFM). `name` is used in errors; a number
-/// that is not finite is one.
+/// Decodes an image in memory (PNG, JPEG, WebP, TIFF, EXR, HDR, PFM): what is displayed() of it. Notes of gamma,
+/// primaries and Exif in PNG and JPEG files are ignored, as glTF wants. `name` is used in errors; a number that is not
+/// finite is one.
 Texels decode_texels(std::span<const std::byte> data, const std::string& name);
 
 }  // namespace lambert

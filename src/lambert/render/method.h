@@ -1,6 +1,6 @@
 #pragma once
 #include "lambert/camera/camera.h"
-#include "lambert/image/filter.h"
+#include "lambert/image/filter/filter_sampler.h"
 #include "lambert/render/film.h"
 #include "lambert/render/settings.h"
 #include "lambert/sampling/sampler.h"

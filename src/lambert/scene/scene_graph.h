@@ -6,7 +6,7 @@
 #include "lambert/camera/camera.h"
 #include "lambert/geometry/mesh.h"
 #include "lambert/geometry/shape.h"
-#include "lambert/image/filter.h"
+#include "lambert/image/filter/filter_sampler.h"
 #include "lambert/light/any_light.h"
 #include "lambert/material/material.h"
 #include "lambert/texture/texture.h"

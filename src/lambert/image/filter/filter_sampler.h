@@ -1,25 +1,10 @@
 #pragma once
-/// Pixel reconstruction filters, centred on 0, separable, in pixels.
-
 #include "lambert/base/vec.h"
+#include "lambert/image/filter/kernel.h"
 
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace lambert {
-
-enum class FilterKind { box, triangle, gaussian, mitchell, lanczos, blackman_harris };
-FilterKind filter_kind(std::string_view name);  ///< throws Error for an unknown name
-std::vector<std::string> filter_names();
-
-struct FilterSettings {
-  FilterKind kind = FilterKind::blackman_harris;
-  Vec2 radius{0};  ///< half extent in pixels; 0 means the kind's default (box .5, triangle 1, gaussian 1.5, mitchell 2,
-                   ///< lanczos 3, blackman-harris 1.5)
-  float sigma = 0.5f;                ///< gaussian
-  float b = 1.0f / 3, c = 1.0f / 3;  ///< mitchell
-};
 
 /// Draws offsets in proportion to |filter| (filter importance sampling, Ernst et al. 2006): each sample belongs to one
 /// pixel only, and a pixel's value is Σ weight L / Σ weight. `weight` is ±1 (its sign that of the filter) times a
@@ -37,13 +22,14 @@ class FilterSampler {
 
  private:
   struct Axis {
+    Kernel kernel;
     std::vector<float> cdf;    // of |f| over equal bins on [-radius, radius]
     std::vector<float> value;  // f at bin centres
     float radius = 0;
   };
-  FilterSettings settings_;
-  Vec2 radius_{0.5f};
+  FilterKind kind_;
   Axis x_, y_;
+  Vec2 radius_;
   float scale_ = 1;   // 1 / integral of the filter
   float weight_ = 1;  // integral of |f| over integral of f
 };

@@ -1,4 +1,4 @@
-#include "lambert/image/filter.h"
+#include "lambert/image/filter/filter_sampler.h"
 
 #include "damage.h"
 #include "lambert/base/hash.h"
@@ -28,6 +28,12 @@ const std::map<std::string, Curve>& curves() {
          return x < 1 ? (7 * x * x * x - 12 * x * x + 16 / 3.0) / 6
                       : (-7 / 3.0 * x * x * x + 12 * x * x - 20 * x + 32 / 3.0) / 6;
        }},
+      // Keys 1981, a = -1/2.
+      {"catmull-rom",
+       [](double x) {
+         x = std::abs(x);
+         return x < 1 ? 1.5 * x * x * x - 2.5 * x * x + 1 : -0.5 * x * x * x + 2.5 * x * x - 4 * x + 2;
+       }},
       {"lanczos", [](double x) { return sinc(x) * sinc(x / 3); }},
       // Harris 1978, the minimum four-term window over [-1.5, 1.5].
       {"blackman-harris",
@@ -38,8 +44,9 @@ const std::map<std::string, Curve>& curves() {
   };
   return table;
 }
-const std::map<std::string, float> radii = {{"box", 0.5f},   {"triangle", 1}, {"gaussian", 1.5f},
-                                            {"mitchell", 2}, {"lanczos", 3},  {"blackman-harris", 1.5f}};
+const std::map<std::string, float> radii = {
+    {"box", 0.5f},      {"triangle", 1}, {"gaussian", 1.5f},       {"mitchell", 2},
+    {"catmull-rom", 2}, {"lanczos", 3},  {"blackman-harris", 1.5f}};
 
 FilterSampler filter(const std::string& name) { return FilterSampler({.kind = filter_kind(name)}); }
 
