@@ -40,11 +40,11 @@ struct Number {
 };
 
 struct Expression {
-  const Word* word = nullptr;    ///< null: a file
-  std::string text;              ///< the file, or the name that the word takes
-  std::vector<Number> numbers;   ///< one for each parameter of the word, and further ones of a word with `more`
+  const Word* word = nullptr;      ///< null: a file
+  std::string text;                ///< the file, or the name that the word takes
+  std::vector<Number> numbers;     ///< one for each parameter of the word, and further ones of a word with `more`
   std::vector<Expression> inputs;  ///< A and B; A and M; A; none
-  std::size_t place = 0;         ///< its byte in the text that it was read from; no part of its value
+  std::size_t place = 0;           ///< its byte in the text that it was read from; no part of its value
   bool operator==(const Expression& o) const {
     return word == o.word && text == o.text && numbers == o.numbers && inputs == o.inputs;
   }

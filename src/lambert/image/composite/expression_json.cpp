@@ -16,12 +16,17 @@ class Reader {
  public:
   Reader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
-  Expression tree(const JsonValue& v) const {
-    if (v.kind == JsonKind::string) return file(v, v);
+  struct Part {
+    Expression tree;
+    std::size_t depth = 1;
+  };
+
+  Part tree(const JsonValue& v) const {
+    if (v.kind == JsonKind::string) return {file(v, v)};
     if (v.kind != JsonKind::object) fail(v.at, "expected an object with \"file\" or \"word\", or the name of a file");
     if (const JsonValue* name = member(v, "file")) {
       check_members(v, {"file"});
-      return file(v, *name);
+      return {file(v, *name)};
     }
     check_members(v, {"word", "inputs", "numbers", "text"});
     const JsonValue* name = member(v, "word");
@@ -46,7 +51,8 @@ class Reader {
   void check_members(const JsonValue& v, const std::vector<std::string>& known) const {
     for (std::size_t i = 0; i < v.keys.size(); ++i) {
       const auto& [name, at] = v.keys[i];
-      if (std::find(known.begin(), known.end(), name) == known.end()) fail(at, "unknown member " + unknown_word(name, known));
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        fail(at, "unknown member " + unknown_word(name, known));
       for (std::size_t j = 0; j < i; ++j)
         if (v.keys[j].first == name) fail(at, "'" + printable(name) + "' is given twice");
     }
@@ -128,7 +134,7 @@ class Reader {
     return n;
   }
 
-  Expression with_inputs(const JsonValue& v, Expression e) const {
+  Part with_inputs(const JsonValue& v, Expression e) const {
     const JsonValue* given = member(v, "inputs");
     const Form form = e.word->form;
     const std::size_t least = form == Form::generator ? 0 : (form == Form::infix || e.word->second ? 2 : 1);
@@ -136,27 +142,25 @@ class Reader {
     if ((given && given->kind != JsonKind::array) || (form == Form::infix ? count < least : count != least))
       fail(given ? given->at : v.at, std::string(e.word->name) + ": expected \"inputs\", an array of " +
                                          std::to_string(least) + (form == Form::infix ? " or more" : ""));
-    if (count > max_depth) fail(given->at, "more than " + std::to_string(max_depth) + " inputs");
+    std::size_t depth = 1;
     for (std::size_t i = 0; i < count; ++i) {
       if (i >= 2) {
         Expression outer{.word = e.word, .place = e.place};
         outer.inputs.push_back(std::move(e));
         e = std::move(outer);
+        ++depth;
       }
-      e.inputs.push_back(tree(given->values[i]));
+      Part input = tree(given->values[i]);
+      depth = std::max(depth, input.depth + 1);
+      if (depth > max_depth) fail(given->at, "the tree is deeper than " + std::to_string(max_depth));
+      e.inputs.push_back(std::move(input.tree));
     }
-    return e;
+    return {std::move(e), depth};
   }
 
   std::string_view text_;
   std::string name_;
 };
-
-std::size_t depth_of(const Expression& e) {
-  std::size_t depth = 0;
-  for (const Expression& input : e.inputs) depth = std::max(depth, depth_of(input));
-  return depth + 1;
-}
 
 void append_string(std::string& text, std::string_view s) {
   text += '"';
@@ -233,9 +237,7 @@ void append(std::string& text, const Expression& e, const std::string& indent) {
 
 Expression parse_json_expression(std::string_view text, const std::string& name) {
   const JsonValue root = parse_json_tree(text, name);
-  Expression e = Reader(text, name).tree(root);
-  if (depth_of(e) > max_depth) throw Error(name + ": the tree is deeper than " + std::to_string(max_depth));
-  return e;
+  return Reader(text, name).tree(root).tree;
 }
 
 std::string to_json(const Expression& expression) {

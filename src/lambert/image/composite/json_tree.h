@@ -16,7 +16,7 @@ struct JsonValue {
   JsonKind kind = JsonKind::null;
   double number = 0;
   std::string string;
-  std::vector<JsonValue> values;         ///< of an array or an object
+  std::vector<JsonValue> values;                        ///< of an array or an object
   std::vector<std::pair<std::string, TextRange>> keys;  ///< of an object, one for each value
   TextRange at;
 };

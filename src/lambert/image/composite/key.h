@@ -15,7 +15,7 @@ Rgb suppress_spill(Rgb rgb, Rgb key, float amount);
 /// By distance of hue: colour differences (R - Y, B - Y), Y the Rec. 709 luminance, in proportion to those of the key.
 /// They are linear in C: for a grey subject the distance is the coverage itself.
 struct ColourKey {
-  Rgb colour;         ///< of the backing; not grey
+  Rgb colour;          ///< of the backing; not grey
   float inner = 0.1f;  ///< distances up to it are backing
   float outer = 1;     ///< distances from it on are subject; between them the matte is linear
   float spill = 1;     ///< suppression, 0 to 1

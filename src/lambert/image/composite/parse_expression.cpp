@@ -49,8 +49,7 @@ class Parser {
   }
 
   void check_depth(const Part& part) const {
-    if (part.depth > max_depth)
-      lexer_.fail_at(part.tree.place, "the tree is deeper than " + std::to_string(max_depth));
+    if (part.depth > max_depth) lexer_.fail_at(part.tree.place, "the tree is deeper than " + std::to_string(max_depth));
   }
 
   Part expression(std::size_t open) {
@@ -139,7 +138,8 @@ class Parser {
         lexer_.fail_at(token().at.begin, "expected ')', as " + usage(word) + " has no further numbers");
       numbers.push_back(number(parameter_of(word, numbers.size())));
     }
-    if (numbers.size() < least || (word.more && numbers.size() % 2 != 0)) lexer_.fail("a further number: " + usage(word));
+    if (numbers.size() < least || (word.more && numbers.size() % 2 != 0))
+      lexer_.fail("a further number: " + usage(word));
     lexer_.next();
     finish(part.tree);
     return part;
@@ -163,7 +163,8 @@ class Parser {
                      std::string(tree.word->name) + " has no option " + unknown_word(token().text, known));
     }
     const auto index = static_cast<std::size_t>(found - parameters.begin());
-    if ((given.empty() && index < tree.numbers.size()) || std::find(given.begin(), given.end(), found->name) != given.end())
+    if ((given.empty() && index < tree.numbers.size()) ||
+        std::find(given.begin(), given.end(), found->name) != given.end())
       lexer_.fail_at(token().at.begin, "'" + token().text + "' is given twice");
     given.emplace_back(found->name);
     lexer_.next();
