@@ -134,8 +134,9 @@ std::function<int()> add_composite(CLI::App& app) {
   app.add_option("expression", options.expression,
                  "What to composite: an expression, or a file of one: FILE.comp, or FILE.json as a tree")
       ->required();
-  app.add_option("-o,--output", options.outputs, "The picture to write, by extension; several -o write several")
-      ->expected(1);
+  app.add_option("-o,--output", options.outputs, "The picture to write, by extension; several allowed")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   app.add_option("--frames", options.frames, "FIRST-LAST, FIRST-LASTxSTEP; parted by commas; fills in #### or %04d");
   app.add_option("--resolution", options.resolution, "Show WIDTHxHEIGHT pixels from (0, 0) instead of what B shows");
   app.add_option("--depth", options.depth, "How numbers are stored: auto, 8, 16, half, float");
