@@ -17,6 +17,7 @@ using Command = std::function<std::function<int()>(CLI::App& app)>;
 std::function<int()> add_render(CLI::App& app);
 std::function<int()> add_info(CLI::App& app);
 std::function<int()> add_methods(CLI::App& app);
+std::function<int()> add_image(CLI::App& app);
 std::function<int()> add_polygon(CLI::App& app);
 std::function<int()> add_composite(CLI::App& app);
 std::function<int()> add_completion(CLI::App& app);

@@ -1,6 +1,8 @@
 #include "command.h"
+#include "image/verb.h"
 #include "load_scene.h"
 
+#include "lambert/image/io.h"
 #include "lambert/scene/scene.h"
 
 #include <fmt/format.h>
@@ -58,6 +60,10 @@ std::function<int()> add_info(CLI::App& app) {
   add_scene_options(app, options.scene);
   app.add_flag("--json", options.json, "Print JSON");
   return [] {
+    if (!options.scene.file.empty() && is_image_file(options.scene.file)) {
+      print_image_info(options.scene.file, options.json);
+      return done;
+    }
     const auto description = describe(options.scene);
     if (options.json)
       fmt::print("{}\n", description.dump(2));

@@ -18,7 +18,7 @@ namespace {
 
 EnvironmentLight read_environment(const std::string& name) {
   if (name == "studio") return studio_environment();
-  Image image = read_image(name);
+  Image image = displayed(read_image(name));
   try {
     return {std::move(image), EnvironmentMapping::lat_long, Rgb(1.0f), Transform()};
   } catch (const Error& e) {

@@ -59,8 +59,9 @@ int run(int argc, char** argv) {
     entries.push_back({sub, command(*sub)});
   };
   add("render", "Make an image of a scene", cli::add_render);
-  add("info", "Say what is in a scene", cli::add_info);
+  add("info", "Say what is in a scene or an image", cli::add_info);
   add("methods", "List the methods of rendering and their settings", cli::add_methods);
+  add("image", "Convert image files and say what is in them", cli::add_image);
   add("polygon", "Algorithms of the plane on files of polygons", cli::add_polygon);
   add("composite", "Put pictures together by an expression", cli::add_composite);
   add("completion", "Print a completion script for a shell", cli::add_completion);

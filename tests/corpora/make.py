@@ -52,21 +52,50 @@ def tiff(width, height, pixels, count=None):
     return b"II*\0" + struct.pack("<I", 8 + len(pixels) + pad) + pixels + bytes(pad) + directory
 
 
-def exr(width, height, pixels, lying_width=None):
+def float_tiff(width, height, numbers):
+    """One row of tags more than tiff(): 32 bits of floating point."""
+    pixels = floats(*numbers)
+    entries = [(256, 4, 1, width), (257, 4, 1, height), (258, 3, 1, 32), (259, 3, 1, 1), (262, 3, 1, 1), (273, 4, 1, 8),
+               (277, 3, 1, 1), (278, 4, 1, height), (279, 4, 1, len(pixels)), (339, 3, 1, 3)]
+    directory = struct.pack("<H", len(entries)) + b"".join(struct.pack("<HHII", *e) for e in entries) + bytes(4)
+    return b"II*\0" + struct.pack("<I", 8 + len(pixels)) + pixels + directory
+
+
+def exr(width, height, pixels, lying_width=None, display=None, channels="BGR", sampling=1, more=()):
+    """Uncompressed floats. With a `sampling` above 1: luminance, and chroma at every so-many-th pixel."""
     string = lambda s: s.encode() + b"\0"
     attribute = lambda n, t, v: string(n) + string(t) + struct.pack("<i", len(v)) + v
-    channels = b"".join(string(c) + struct.pack("<iB3xii", 2, 0, 1, 1) for c in "BGR") + b"\0"
+    names = ["BY", "RY", "Y"] if sampling > 1 else list(channels)
+    of = lambda c: sampling if len(c) == 2 else 1
+    listed = b"".join(string(c) + struct.pack("<iB3xii", 2, 0, of(c), of(c)) for c in names) + b"\0"
     box = struct.pack("<4i", 0, 0, (lying_width or width) - 1, height - 1)
-    head = (struct.pack("<II", 20000630, 2) + attribute("channels", "chlist", channels) +
+    head = (struct.pack("<II", 20000630, 2) + attribute("channels", "chlist", listed) + b"".join(attribute(*m) for m in more) +
             attribute("compression", "compression", b"\0") + attribute("dataWindow", "box2i", box) +
-            attribute("displayWindow", "box2i", box) + attribute("lineOrder", "lineOrder", b"\0") +
-            attribute("pixelAspectRatio", "float", floats(1)) + attribute("screenWindowCenter", "v2f", floats(0, 0)) +
-            attribute("screenWindowWidth", "float", floats(1)) + b"\0")
-    line = 8 + 12 * width
-    offsets = struct.pack(f"<{height}Q", *(len(head) + 8 * height + y * line for y in range(height)))
-    body = b"".join(struct.pack("<ii", y, 12 * width) + floats(*pixels[3 * width * y:3 * width * (y + 1)])
-                    for y in range(height))
-    return head + offsets + body
+            attribute("displayWindow", "box2i", struct.pack("<4i", *display) if display else box) +
+            attribute("lineOrder", "lineOrder", b"\0") + attribute("pixelAspectRatio", "float", floats(1)) +
+            attribute("screenWindowCenter", "v2f", floats(0, 0)) + attribute("screenWindowWidth", "float", floats(1)) + b"\0")
+    lines, used = [], 0
+    for y in range(height):
+        count = sum(width // of(c) for c in names if y % of(c) == 0)
+        lines.append(struct.pack("<ii", y, 4 * count) + floats(*pixels[used:used + count]))
+        used += count
+    offsets, at = [], len(head) + 8 * height
+    for line in lines:
+        offsets.append(at)
+        at += len(line)
+    return head + struct.pack(f"<{height}Q", *offsets) + b"".join(lines)
+
+
+def exif(orientation):
+    """1/125 s in the Exif directory."""
+    first = struct.pack("<H", 2) + struct.pack("<HHII", 274, 3, 1, orientation) + struct.pack("<HHII", 34665, 4, 1, 38) + bytes(4)
+    return b"II*\0" + struct.pack("<I", 8) + first + struct.pack("<HHHII", 1, 33434, 5, 1, 56) + bytes(4) + struct.pack("<II", 1, 125)
+
+
+def with_chunks(image, *chunks):
+    """A PNG with more chunks behind its header."""
+    chunk = lambda kind, d: struct.pack(">I", len(d)) + kind + d + struct.pack(">I", zlib.crc32(kind + d))
+    return image[:33] + b"".join(chunk(*c) for c in chunks) + image[33:]
 
 
 PNG = png(2, 2, b"\0" + bytes([255, 0, 0, 255, 0, 255, 0, 255]) + b"\0" + bytes([0, 0, 255, 255, 255, 255, 255, 128]))
@@ -81,6 +110,23 @@ def images():
     write("image/good.pfm", pfm(2, 2, [1] * 12))
     write("image/good.hdr", hdr(2, 2, bytes([128, 128, 128, 129]) * 4))
     write("image/good.tif", tiff(2, 2, b"abcd"))
+    write("image/good-float.tif", float_tiff(2, 2, [1, 0.5, -2, 1e9]))
+    write("image/good-chroma.exr", exr(4, 4, [0.5] * 24, sampling=2))
+    write("image/good-windows.exr", exr(2, 2, [1.0] * 12, display=(-3, -2, 4, 5), more=[
+        ("chromaticities", "chromaticities", floats(1, 0, 0, 1, 0, 0, 1 / 3, 1 / 3)), ("timeCode", "timecode", bytes(8)),
+        ("multiView", "stringvector", struct.pack("<i", 4) + b"left"), ("own", "ownType", b"abc")]))
+    write("image/good-alpha.pfm", b"PF4\n1 1\n2.0\n" + struct.pack(">4f", 1, 0.5, 0, 0.5))
+    write("image/good-header.hdr", hdr(2, 2, bytes([128, 128, 128, 129]) * 4).replace(
+        b"FORMAT=32-bit_rle_rgbe", b"EXPOSURE=2\nCOLORCORR=1 2 1\nPIXASPECT=2\nGAMMA=2.2\nVIEW= -vtv\n"
+        b"PRIMARIES=.64 .33 .29 .6 .15 .06 .333 .333\nFORMAT=32-bit_rle_xyze").replace(b"-Y 2 +X 2", b"+X 2 -Y 2"))
+    write("image/good-notes.png", with_chunks(PNG, (b"gAMA", struct.pack(">I", 50000)), (b"cHRM", struct.pack(
+        ">8I", 31270, 32900, 68000, 32000, 26500, 69000, 15000, 6000)), (b"tEXt", b"Comment\0hello"), (b"eXIf", exif(6))))
+    write("image/bad-display.exr", exr(2, 2, [1.0] * 12, display=(-2000000000, 0, 2000000000, 1)))
+    write("image/bad-empty-display.exr", exr(2, 2, [1.0] * 12, display=(5, 5, 2, 2)))
+    write("image/bad-chromaticities.exr", exr(2, 2, [1.0] * 12, more=[("chromaticities", "chromaticities", floats(*[0] * 8))]))
+    write("image/bad-primaries.hdr", hdr(2, 2, bytes(16)).replace(b"FORMAT", b"PRIMARIES=0 0 0 0 0 0 0 0\nFORMAT"))
+    write("image/bad-correction.hdr", hdr(2, 2, bytes(16)).replace(b"FORMAT", b"COLORCORR=1 nan 1\nFORMAT"))
+    write("image/bad-scale.pfm", pfm(1, 1, [1] * 3).replace(b"-1.0", b"0"))
     write("image/bad-empty.png", b"")
     write("image/bad-unknown.png", b"no image at all")
     write("image/bad-cut.png", PNG[:-30])

@@ -1,4 +1,5 @@
 #include "lambert/base/error.h"
+#include "lambert/image/formats/exif.h"
 #include "lambert/image/io.h"
 
 #include <cstddef>
@@ -12,7 +13,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     decode_texels(bytes, "fuzz.image");
   } catch (const Error&) {
-    return 0;
   }
+  // Keeps windows and attributes, honours what textures ignore.
+  try {
+    decode_image(bytes, "fuzz.image");
+  } catch (const Error&) {
+  }
+  read_exif(bytes);
   return 0;
 }

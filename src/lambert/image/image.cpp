@@ -42,12 +42,12 @@ void Image::set_rgb(int x, int y, Rgb c) {
   p[0] = c.r, p[1] = c.g, p[2] = c.b;
 }
 
-Image cut(const Image& image, const Window& window) {
+Image cut(Image image, const Window& window) {
   if (window == image.data_window()) return image;
   Image result(window.width, window.height, image.channels());
   result.place({window.x, window.y}, image.display_window());
-  result.metadata = image.metadata;
-  result.attributes = image.attributes;
+  result.metadata = std::move(image.metadata);
+  result.attributes = std::move(image.attributes);
   // In 64 bits: windows may lie anywhere in the plane.
   const Window data = image.data_window();
   const auto overlap = [](int a, int a_size, int b, int b_size) {
@@ -66,7 +66,10 @@ Image cut(const Image& image, const Window& window) {
   return result;
 }
 
-Image displayed(const Image& image) { return cut(image, image.display_window()); }
+Image displayed(Image image) {
+  const Window shown = image.display_window();
+  return cut(std::move(image), shown);
+}
 
 std::vector<std::string> rgb_channels() { return {"R", "G", "B"}; }
 std::vector<std::string> rgba_channels() { return {"R", "G", "B", "A"}; }

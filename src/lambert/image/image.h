@@ -82,9 +82,9 @@ class Image {
 
 /// What lies in `window` of the plane, zero where the image has no data. The data window of the result is `window`,
 /// its display window stays. Throws Error as the constructor does.
-Image cut(const Image& image, const Window& window);
+Image cut(Image image, const Window& window);
 /// What is shown: the image cut to its display window.
-Image displayed(const Image& image);
+Image displayed(Image image);
 
 /// The usual names: {"R","G","B"} and with "A".
 std::vector<std::string> rgb_channels();

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace lambert {
 namespace {
@@ -59,6 +60,29 @@ TEST(Image, WindowsFollowThePixelsUntilPlaced) {
   EXPECT_EQ(image.data_window(), (Window{-1, 2, 4, 3}));
   EXPECT_EQ(image.display_window(), (Window{0, 0, 10, 8}));
   EXPECT_THROW(image.place({0, 0}, {0, 0, 0, 8}), Error);
+}
+
+TEST(Image, IsCutToAnyWindow) {
+  Image image(3, 2, {"Y", "A"});
+  for (int i = 0; i < 12; ++i) image.pixels()[static_cast<std::size_t>(i)] = static_cast<float>(i + 1);
+  image.place({-1, 4}, {0, 0, 2, 6});
+  image.metadata["a"] = "b";
+  constexpr int far = 2000000000;
+  for (const Window& w : {Window{-1, 4, 3, 2}, Window{0, 0, 2, 6}, Window{-5, 3, 9, 1}, Window{1, 5, 40, 40},
+                          Window{far, -far, 3, 3}, Window{-far, far, 1, 2}}) {
+    const Image part = cut(image, w);
+    EXPECT_EQ(part.data_window(), w);
+    EXPECT_EQ(part.display_window(), image.display_window());
+    EXPECT_EQ(part.metadata, image.metadata);
+    for (int y = 0; y < w.height; ++y)
+      for (int x = 0; x < w.width; ++x) {
+        const std::int64_t i = std::int64_t{w.x} + x + 1, j = std::int64_t{w.y} + y - 4;
+        const bool inside = i >= 0 && i < 3 && j >= 0 && j < 2;
+        EXPECT_EQ(part.at(x, y, 1), inside ? image.at(static_cast<int>(i), static_cast<int>(j), 1) : 0);
+      }
+  }
+  EXPECT_EQ(displayed(image).width(), 2);
+  EXPECT_NE(error_of([&] { cut(image, {0, 0, 0, 4}); }), "");
 }
 
 }  // namespace

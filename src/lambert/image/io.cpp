@@ -2,14 +2,19 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
+#include "lambert/base/number.h"
+#include "lambert/base/parallel.h"
 #include "lambert/image/colour.h"
 #include "lambert/image/formats/codecs.h"
+#include "lambert/image/formats/exif.h"
+#include "lambert/image/formats/orientation.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <fstream>
 #include <new>
 
 namespace lambert {
@@ -17,24 +22,25 @@ namespace {
 
 struct Format {
   std::vector<std::string> extensions;
-  bool radiance = false;
-  std::vector<std::byte> (*encode)(const Image&) = nullptr;                 // radiance formats
-  std::vector<std::byte> (*encode_display)(const DisplayImage&) = nullptr;  // display formats
-  bool sixteen_bits = false;
+  std::vector<Depth> depths;                                                      // the first is what `automatic` means
+  std::vector<std::byte> (*encode)(const Image&, const WriteOptions&) = nullptr;  // radiance formats
+  std::vector<std::byte> (*encode_display)(const DisplayImage&, const WriteOptions&) = nullptr;  // display formats
   bool keeps_alpha = true;
   bool needs_colour = false;  // has no grey
+  bool windows = false;
 };
 
 /// Every format has its line here; CONTRIBUTING says how to add one.
 const std::vector<Format>& formats() {
+  using enum Depth;
   static const std::vector<Format> table{
-      {.extensions = {".exr"}, .radiance = true, .encode = encode_exr},
-      {.extensions = {".hdr", ".pic"}, .radiance = true, .encode = encode_rgbe},
-      {.extensions = {".pfm"}, .radiance = true, .encode = encode_pfm},
-      {.extensions = {".png"}, .encode_display = encode_png},
-      {.extensions = {".jpg", ".jpeg"}, .encode_display = encode_jpeg, .keeps_alpha = false},
-      {.extensions = {".tif", ".tiff"}, .encode_display = encode_tiff, .sixteen_bits = true},
-      {.extensions = {".webp"}, .encode_display = encode_webp, .needs_colour = true},
+      {.extensions = {".exr"}, .depths = {automatic, half, full}, .encode = encode_exr, .windows = true},
+      {.extensions = {".hdr", ".pic"}, .depths = {automatic}, .encode = encode_rgbe},
+      {.extensions = {".pfm"}, .depths = {full}, .encode = encode_pfm},
+      {.extensions = {".png"}, .depths = {bits8, bits16}, .encode_display = encode_png},
+      {.extensions = {".jpg", ".jpeg"}, .depths = {bits8}, .encode_display = encode_jpeg, .keeps_alpha = false},
+      {.extensions = {".tif", ".tiff"}, .depths = {bits16, bits8, full}, .encode_display = encode_tiff},
+      {.extensions = {".webp"}, .depths = {bits8}, .encode_display = encode_webp, .needs_colour = true},
   };
   return table;
 }
@@ -56,12 +62,12 @@ bool is_webp(Bytes data) {
 }
 
 using ImageDecoder = Image (*)(Bytes, const std::string&);
-using TexelDecoder = Texels (*)(Bytes, const std::string&);
+using TexelDecoder = Texels (*)(Bytes, const std::string&, DisplayNotes*);
 
 ImageDecoder radiance_decoder(Bytes data) {
-  if (starts_with(data, "\x76\x2f\x31\x01")) return decode_exr;
+  if (is_exr(data)) return decode_exr;
   if (starts_with(data, "#?")) return decode_rgbe;
-  if (starts_with(data, "PF") || starts_with(data, "Pf")) return decode_pfm;
+  if (starts_with(data, "PF") || starts_with(data, "Pf")) return decode_pfm;  // and PF4
   return nullptr;
 }
 TexelDecoder display_decoder(Bytes data) {
@@ -82,56 +88,120 @@ std::vector<std::string> channel_names(int channels) {
   return channels == 3 ? rgb_channels() : rgba_channels();
 }
 
-/// sRGB with straight alpha to linear light, premultiplied.
-Image to_image(const Texels& t) {
+/// Codes with straight alpha to linear light, premultiplied.
+Image to_image(const Texels& t, const DisplayNotes& notes) {
   Image image(t.width, t.height, channel_names(t.channels));
   const auto channels = static_cast<std::size_t>(t.channels);
   const bool has_alpha = t.channels == 2 || t.channels == 4;
   const std::size_t colours = has_alpha ? channels - 1 : channels;
-  const auto pixels = image.pixels();
-  for (std::size_t i = 0; i < pixels.size(); i += channels) {
-    const auto stored = [&](std::size_t c) {
-      return t.floats.empty() ? static_cast<float>(t.bytes[i + c]) / 255.0f : t.floats[i + c];
-    };
-    const float alpha = has_alpha ? stored(colours) : 1;
-    for (std::size_t c = 0; c < colours; ++c) {
-      const float linear = !t.floats.empty() ? (t.linear ? t.floats[i + c] : srgb_decode(t.floats[i + c]))
-                                             : srgb_decode8(t.bytes[i + c]);
-      pixels[i + c] = linear * alpha;
+  std::array<float, 256> codes{};
+  for (std::size_t i = 0; i < codes.size(); ++i)
+    codes[i] = notes.exponent > 0 ? std::pow(static_cast<float>(i) / 255, notes.exponent)
+                                  : srgb_decode8(static_cast<std::uint8_t>(i));
+  const auto linear = [&](float v) {
+    if (t.linear) return v;
+    return notes.exponent > 0 ? std::copysign(std::pow(std::abs(v), notes.exponent), v) : srgb_decode(v);
+  };
+  const std::size_t row = static_cast<std::size_t>(t.width) * channels;
+  parallel_for(static_cast<std::size_t>(t.height), [&](std::size_t y) {
+    const auto pixels = image.pixels();
+    for (std::size_t i = y * row; i < (y + 1) * row; i += channels) {
+      float alpha = 1;
+      if (has_alpha)
+        alpha = t.floats.empty() ? static_cast<float>(t.bytes[i + colours]) / 255.0f : t.floats[i + colours];
+      const float factor = notes.premultiplied ? 1 : alpha;
+      for (std::size_t c = 0; c < colours; ++c)
+        pixels[i + c] = factor * (t.floats.empty() ? codes[t.bytes[i + c]] : linear(t.floats[i + c]));
+      if (has_alpha) pixels[i + colours] = alpha;
     }
-    if (has_alpha) pixels[i + colours] = alpha;
+  });
+  if (notes.primaries && colours == 3 && !same_primaries(*notes.primaries, rec709)) {
+    const glm::dmat3 m = to_rec709(*notes.primaries);
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) image.set_rgb(x, y, apply(m, image.rgb(x, y)));
   }
+  image.metadata = notes.metadata;
   return image;
 }
 
-/// Linear to sRGB, straight alpha, rounded to the codes of the format.
-DisplayImage to_display(const Image& image, const Format& format) {
+/// Exposure and speed under the names that OpenEXR has for them.
+void note_exif(Image& image, const Exif& exif) {
+  const auto note = [&](const char* name, std::optional<double> value) {
+    std::string text;
+    if (value) append_number(text, static_cast<float>(*value)), image.attributes[name] = {"float", text};
+  };
+  note("expTime", exif.exposure_time);
+  note("aperture", exif.f_number);
+  note("isoSpeed", exif.iso);
+}
+
+/// Linear to sRGB, straight alpha, rounded to the codes of the format; or floats as they are.
+DisplayImage to_display(const Image& image, const Format& format, Depth depth) {
   const auto alpha = format.keeps_alpha ? image.channel("A") : std::nullopt;
   const bool colour = image.has_colour() || format.needs_colour;
   DisplayImage d{.width = image.width(),
                  .height = image.height(),
                  .channels = (colour ? 3 : 1) + (alpha ? 1 : 0),
                  .metadata = image.metadata};
-  const float top = format.sixteen_bits ? 65535.0f : 255.0f;
-  const auto put = [&](float v) {
-    const float code = std::round(std::clamp(v, 0.0f, 1.0f) * top);
-    if (format.sixteen_bits)
-      d.words.push_back(static_cast<std::uint16_t>(code));
-    else
-      d.bytes.push_back(static_cast<std::uint8_t>(code));
-  };
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      const float a = alpha ? image.at(x, y, *alpha) : 1;
-      Rgb c = image.rgb(x, y);
+  const auto channels = static_cast<std::size_t>(d.channels);
+  const std::size_t row = static_cast<std::size_t>(d.width) * channels;
+  const std::size_t size = row * static_cast<std::size_t>(d.height);
+  if (depth == Depth::full)
+    d.floats.resize(size);
+  else if (depth == Depth::bits16)
+    d.words.resize(size);
+  else
+    d.bytes.resize(size);
+  const auto code = [](float v, float top) { return std::round(std::clamp(v, 0.0f, 1.0f) * top); };
+  parallel_for(static_cast<std::size_t>(d.height), [&](std::size_t y) {
+    for (int x = 0; x < d.width; ++x) {
+      const float a = alpha ? image.at(x, static_cast<int>(y), *alpha) : 1;
+      Rgb c = image.rgb(x, static_cast<int>(y));
+      const std::size_t at = y * row + static_cast<std::size_t>(x) * channels;
+      std::array<float, 4> v{c.r};
+      const std::size_t colours = colour ? 3 : 1;
+      if (depth == Depth::full) {
+        v = {c.r, c.g, c.b};
+        v[colours] = a;
+        std::copy_n(v.begin(), channels, d.floats.begin() + static_cast<std::ptrdiff_t>(at));
+        continue;
+      }
       if (alpha && a > 0) c = c / a;
       // clamp() keeps NaN, which no code stands for: black.
-      const auto shown = [](float v) { return srgb_encode(v > 0 ? std::min(v, 1.0f) : 0.0f); };
-      put(shown(c.r));
-      if (colour) put(shown(c.g)), put(shown(c.b));
-      if (alpha) put(a > 0 ? a : 0.0f);
+      const auto shown = [](float u) { return srgb_encode(u > 0 ? std::min(u, 1.0f) : 0.0f); };
+      v[0] = shown(c.r);
+      if (colour) v[1] = shown(c.g), v[2] = shown(c.b);
+      v[colours] = a > 0 ? a : 0.0f;
+      for (std::size_t i = 0; i < channels; ++i) {
+        if (depth == Depth::bits16)
+          d.words[at + i] = static_cast<std::uint16_t>(code(v[i], 65535));
+        else
+          d.bytes[at + i] = static_cast<std::uint8_t>(code(v[i], 255));
+      }
     }
+  });
   return d;
+}
+
+const char* depth_name(Depth depth) {
+  switch (depth) {
+    case Depth::bits8: return "8 bits";
+    case Depth::bits16: return "16 bits";
+    case Depth::half: return "half floats";
+    case Depth::full: return "floats";
+    default: return "numbers of its own";
+  }
+}
+
+/// The depth that is meant; throws Error when the format has it not.
+Depth chosen_depth(const Format& format, Depth depth) {
+  if (depth == Depth::automatic) return format.depths.front();
+  if (std::ranges::find(format.depths, depth) != format.depths.end()) return depth;
+  std::string known;
+  for (const Depth d : format.depths)
+    if (d != Depth::automatic) known += (known.empty() ? "" : " or ") + std::string(depth_name(d));
+  if (known.empty()) known = depth_name(Depth::automatic);
+  throw Error("this format stores " + known + ", not " + depth_name(depth));
 }
 
 }  // namespace
@@ -162,19 +232,47 @@ void check_image_size(const std::string& name, std::uint64_t width, std::uint64_
     decode_error(name, "says " + size + " pixels but has only " + std::to_string(bytes) + " bytes");
 }
 
+bool is_exr(Bytes data) { return starts_with(data, "\x76\x2f\x31\x01"); }
+bool writes_exr(const std::filesystem::path& path) { return format_of(path).encode == encode_exr; }
+
 Image read_image(const std::filesystem::path& path) {
   const MappedFile file(path);
-  const Bytes data = file.bytes();
-  if (const auto decode = radiance_decoder(data)) return decode(data, path.string());
-  if (const auto decode = display_decoder(data)) return to_image(decode(data, path.string()));
-  unknown_kind(path.string());
+  return decode_image(file.bytes(), path.string());
+}
+
+bool is_image_file(const std::filesystem::path& path) {
+  std::array<char, 16> start{};
+  std::ifstream in(path, std::ios::binary);
+  in.read(start.data(), start.size());
+  const Bytes bytes =
+      std::as_bytes(std::span(start)).first(static_cast<std::size_t>(std::max<std::streamsize>(0, in.gcount())));
+  return radiance_decoder(bytes) || display_decoder(bytes);
+}
+
+Image decode_image(Bytes data, const std::string& name) {
+  if (const auto decode = radiance_decoder(data)) return decode(data, name);
+  const auto decode = display_decoder(data);
+  if (!decode) unknown_kind(name);
+  DisplayNotes notes;
+  Texels texels = decode(data, name, &notes);
+  const auto exif = read_exif(data);
+  if (exif && decode != decode_tiff) texels = oriented(std::move(texels), exif->orientation);
+  Image image = to_image(texels, notes);
+  if (exif) note_exif(image, *exif);
+  return image;
 }
 
 Texels decode_texels(Bytes data, const std::string& name) {
-  if (const auto decode = display_decoder(data)) return decode(data, name);
+  if (const auto decode = display_decoder(data)) return decode(data, name, nullptr);
   const auto decode = radiance_decoder(data);
   if (!decode) unknown_kind(name);
-  const Image image = decode(data, name);
+  Image image = decode(data, name);
+  if (const Window shown = image.display_window(); shown != image.data_window()) {
+    // A small file may place its pixels in a huge picture.
+    check_image_size(name, static_cast<std::uint64_t>(shown.width), static_cast<std::uint64_t>(shown.height),
+                     data.size() + 4096, 4096);
+    image = displayed(std::move(image));
+  }
   // Of many layers the colour; they come first.
   const bool colour = image.channel("R") && image.channel("G") && image.channel("B");
   const int channels = colour ? (image.channel("A") ? 4 : 3) : 1;
@@ -228,17 +326,35 @@ Compression parse_compression(std::string_view word) { return value_of(compressi
 std::vector<std::string> depth_words() { return words_of(depths()); }
 std::vector<std::string> compression_words() { return words_of(compressions()); }
 
-void write_image(const std::filesystem::path& path, const Image& image, const WriteOptions&) {
+void check_write_options(const std::filesystem::path& path, const WriteOptions& options) {
+  const Format& format = format_of(path);
+  try {
+    chosen_depth(format, options.depth);
+    if (options.quality && (*options.quality < 1 || *options.quality > 100))
+      throw Error("a quality is from 1 to 100, not " + std::to_string(*options.quality));
+  } catch (const Error&) {
+    rethrow_named(path.string());
+  }
+}
+
+void write_image(const std::filesystem::path& path, const Image& image, const WriteOptions& options) {
+  check_write_options(path, options);
   const Format& format = format_of(path);
   try {
     if (image.empty()) throw Error("an image without pixels cannot be written");
-    write_atomically(path, format.radiance ? format.encode(image) : format.encode_display(to_display(image, format)));
+    const bool cropped = !format.windows && image.data_window() != image.display_window();
+    const Image shown = cropped ? displayed(image) : Image();
+    const Image& written = cropped ? shown : image;
+    write_atomically(
+        path, format.encode
+                  ? format.encode(written, options)
+                  : format.encode_display(to_display(written, format, chosen_depth(format, options.depth)), options));
   } catch (const std::exception&) {
     rethrow_named(path.string());
   }
 }
 
-bool is_radiance_format(const std::filesystem::path& path) { return format_of(path).radiance; }
+bool is_radiance_format(const std::filesystem::path& path) { return format_of(path).encode != nullptr; }
 
 std::vector<std::string> image_extensions() {
   std::vector<std::string> all;

@@ -20,6 +20,11 @@ namespace lambert {
 /// (Image::data_window()): use displayed() for what is shown. Photographs are turned as their Exif data say. Throws
 /// Error naming file and offset.
 Image read_image(const std::filesystem::path& path);
+/// The same of bytes in memory; `name` is used in errors.
+Image decode_image(std::span<const std::byte> data, const std::string& name);
+
+/// True when the first bytes are those of a known format; false also when there is no such file.
+bool is_image_file(const std::filesystem::path& path);
 
 /// How numbers are stored. `automatic`: `.exr` half, but full floats for Z, position, ids, counts and variances;
 /// `.png .jpg .webp` 8 bits; `.tif` 16 bits; `.hdr` and `.pfm` have no choice.
@@ -43,6 +48,9 @@ std::vector<std::string> compression_words();
 /// after the sRGB curve, but for `.tif` of full floats, which is linear and not clipped; `.exr` keeps all channels,
 /// windows and attributes. Throws Error naming the path, also when the format has not the depth asked for.
 void write_image(const std::filesystem::path& path, const Image& image, const WriteOptions& options = {});
+
+/// Throws the Error that write_image() would for a path and options that do not go together, before there is an image.
+void check_write_options(const std::filesystem::path& path, const WriteOptions& options);
 
 /// True for formats that hold unbounded linear light. Throws Error with the known extensions for an unknown one.
 bool is_radiance_format(const std::filesystem::path& path);

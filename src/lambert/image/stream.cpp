@@ -1,8 +1,13 @@
 #include "lambert/image/stream.h"
 
 #include "lambert/base/error.h"
+#include "lambert/base/file.h"
+#include "lambert/image/formats/codecs.h"
+#include "lambert/image/formats/exr_reader.h"
+#include "lambert/image/formats/exr_writer.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace lambert {
@@ -11,36 +16,55 @@ ImageHeader header_of(const Image& image) {
   return {image.data_window(), image.display_window(), image.channels(), image.metadata, image.attributes};
 }
 
+Image image_of(const ImageHeader& header) {
+  Image image(header.data.width, header.data.height, header.channels);
+  image.place({header.data.x, header.data.y}, header.display);
+  image.metadata = header.metadata;
+  image.attributes = header.attributes;
+  return image;
+}
+
 struct ImageReader::State {
   std::filesystem::path path;
+  std::optional<MappedFile> file;
+  std::optional<ExrReader> exr;
+  // Of formats that are not read in bands:
   ImageHeader header;
   Image whole;
 };
 
 ImageReader::ImageReader(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
   state_->path = path;
+  state_->file.emplace(path);
+  if (is_exr(state_->file->bytes())) {
+    state_->exr.emplace(state_->file->bytes(), path.string());
+    return;
+  }
   state_->whole = read_image(path);
   state_->header = header_of(state_->whole);
+  state_->file.reset();
 }
 ImageReader::~ImageReader() = default;
 ImageReader::ImageReader(ImageReader&&) noexcept = default;
 ImageReader& ImageReader::operator=(ImageReader&&) noexcept = default;
 
-const ImageHeader& ImageReader::header() const { return state_->header; }
+const ImageHeader& ImageReader::header() const { return state_->exr ? state_->exr->header() : state_->header; }
 
 void ImageReader::read(int y0, int y1, std::span<float> to) {
   const ImageHeader& h = header();
   if (y0 < 0 || y1 < y0 || y1 > h.data.height || to.size() != static_cast<std::size_t>(y1 - y0) * h.row_size())
     throw Error(state_->path.string() + ": has no rows " + std::to_string(y0) + " to " + std::to_string(y1));
-  std::ranges::copy(state_->whole.pixels().subspan(static_cast<std::size_t>(y0) * h.row_size(), to.size()), to.begin());
+  if (state_->exr)
+    state_->exr->read(y0, y1, to.data());
+  else
+    std::ranges::copy(state_->whole.pixels().subspan(static_cast<std::size_t>(y0) * h.row_size(), to.size()),
+                      to.begin());
 }
 
 Image ImageReader::band(int y0, int y1) {
-  const ImageHeader& h = header();
-  Image image(h.data.width, y1 - y0, h.channels);
-  image.place({h.data.x, h.data.y + y0}, h.display);
-  image.metadata = h.metadata;
-  image.attributes = h.attributes;
+  ImageHeader h = header();
+  h.data.y += y0, h.data.height = y1 - y0;
+  Image image = image_of(h);
   read(y0, y1, image.pixels());
   return image;
 }
@@ -50,19 +74,27 @@ struct ImageWriter::State {
   ImageHeader header;
   WriteOptions options;
   int rows = 0;
-  Image whole;
+  std::optional<AtomicFile> file;
+  std::optional<ExrWriter> exr;  // after the file: it is ended before that is removed
+  Image whole;                   // of formats that are not written in bands
 };
 
 ImageWriter::ImageWriter(const std::filesystem::path& path, ImageHeader header, const WriteOptions& options)
     : state_(std::make_unique<State>()) {
+  check_write_options(path, options);
   state_->path = path;
   state_->options = options;
-  state_->whole = Image(header.data.width, header.data.height, header.channels);
-  state_->whole.place({header.data.x, header.data.y}, header.display);
-  state_->whole.metadata = header.metadata;
-  state_->whole.attributes = header.attributes;
+  try {
+    if (writes_exr(path)) {
+      state_->file.emplace(path);
+      state_->exr.emplace(state_->file->temporary(), header, options);
+    } else {
+      state_->whole = image_of(header);
+    }
+  } catch (const std::exception&) {
+    rethrow_named(path.string());
+  }
   state_->header = std::move(header);
-  is_radiance_format(path);  // throws for an unknown one
 }
 ImageWriter::~ImageWriter() = default;
 ImageWriter::ImageWriter(ImageWriter&&) noexcept = default;
@@ -75,8 +107,15 @@ void ImageWriter::write(std::span<const float> rows) {
   const std::size_t size = header().row_size(), count = rows.size() / size;
   if (rows.size() % size != 0 || count > static_cast<std::size_t>(header().data.height - state_->rows))
     throw Error(state_->path.string() + ": more rows than the header says");
-  std::ranges::copy(rows,
-                    state_->whole.pixels().subspan(static_cast<std::size_t>(state_->rows) * size, rows.size()).begin());
+  try {
+    if (state_->exr)
+      state_->exr->write(rows);
+    else
+      std::ranges::copy(
+          rows, state_->whole.pixels().subspan(static_cast<std::size_t>(state_->rows) * size, rows.size()).begin());
+  } catch (const std::exception&) {
+    rethrow_named(state_->path.string());
+  }
   state_->rows += static_cast<int>(count);
 }
 
@@ -84,7 +123,14 @@ void ImageWriter::close() {
   if (state_->rows != header().data.height)
     throw Error(state_->path.string() + ": has " + std::to_string(state_->rows) + " of " +
                 std::to_string(header().data.height) + " rows");
-  write_image(state_->path, state_->whole, state_->options);
+  if (!state_->exr) return write_image(state_->path, state_->whole, state_->options);
+  try {
+    state_->exr->finish();
+    state_->exr.reset();
+    state_->file->commit();
+  } catch (const std::exception&) {
+    rethrow_named(state_->path.string());
+  }
 }
 
 }  // namespace lambert

@@ -23,6 +23,8 @@ struct ImageHeader {
   std::size_t row_size() const { return static_cast<std::size_t>(data.width) * channels.size(); }  ///< in floats
 };
 ImageHeader header_of(const Image& image);
+/// All zeros. Throws Error as Image's constructor does.
+Image image_of(const ImageHeader& header);
 
 /// Reads what read_image() reads, row by row. OpenEXR files are decoded as they are asked for; of other formats the
 /// whole is decoded when the file is opened. Rows count from 0 at the top of the data window, as in Image. Not for

@@ -36,7 +36,7 @@ void check_finite(const ParameterList& list, const Image& image, const std::stri
 
 EnvironmentLight image_light(const Context& context, const ParameterList& list, const GraphicsState& state,
                              const std::string& filename) {
-  Image image = at_directive(list, [&] { return read_image(context.resolve(filename)); });
+  Image image = at_directive(list, [&] { return displayed(read_image(context.resolve(filename))); });
   check_finite(list, image, filename);
   const bool equal_area = image.width() == image.height();
   if (!equal_area) context.notes.add("an infinite light's image is not square: read as latitude and longitude, +y up");

@@ -93,7 +93,7 @@ struct Encoder {
 
 }  // namespace
 
-Texels decode_jpeg(Bytes data, const std::string& name) {
+Texels decode_jpeg(Bytes data, const std::string& name, DisplayNotes*) {
   try {
     return Decoder().decode(data, name);
   } catch (const std::exception&) {
@@ -101,7 +101,7 @@ Texels decode_jpeg(Bytes data, const std::string& name) {
   }
 }
 
-std::vector<std::byte> encode_jpeg(const DisplayImage& image) {
+std::vector<std::byte> encode_jpeg(const DisplayImage& image, const WriteOptions& options) {
   Encoder encoder;
   jpeg_compress_struct& info = encoder.info;
   jpeg_mem_dest(&info, &encoder.buffer, &encoder.size);
@@ -109,7 +109,7 @@ std::vector<std::byte> encode_jpeg(const DisplayImage& image) {
   info.input_components = image.channels;
   info.in_color_space = image.channels == 1 ? JCS_GRAYSCALE : JCS_RGB;
   jpeg_set_defaults(&info);
-  jpeg_set_quality(&info, 92, TRUE);
+  jpeg_set_quality(&info, options.quality.value_or(92), TRUE);
   jpeg_start_compress(&info, TRUE);
   const std::size_t row_size = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
   while (info.next_scanline < info.image_height) {

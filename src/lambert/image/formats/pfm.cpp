@@ -1,6 +1,8 @@
+#include "lambert/base/number.h"
 #include "lambert/image/formats/codecs.h"
 
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <sstream>
 
@@ -24,7 +26,7 @@ float parse_float(const std::string& word, const std::string& what, const std::s
   std::istringstream in(word);
   in.imbue(std::locale::classic());
   float value = 0;
-  if (!(in >> value) || !in.eof()) decode_error(name, "expected " + what + ", got '" + word + "'");
+  if (!(in >> value) || !in.eof()) decode_error(name, "expected " + what + ", got '" + printable(word) + "'");
   return value;
 }
 
@@ -37,29 +39,36 @@ float load(const std::byte* at, bool little) {
 
 }  // namespace
 
-/// "PF" colour or "Pf" grey, size, scale (negative: little-endian), then rows from the bottom.
+/// "PF" colour, "Pf" grey or "PF4" colour with alpha (Augustus), size, scale (negative: little-endian; the numbers are
+/// in units of its absolute value), then rows from the bottom.
 Image decode_pfm(Bytes data, const std::string& name) {
   std::size_t at = 0;
   const std::string magic = next_word(data, at, name);
-  if (magic != "PF" && magic != "Pf") decode_error(name, "expected PF or Pf, got '" + magic + "'");
+  if (magic != "PF" && magic != "Pf" && magic != "PF4")
+    decode_error(name, "expected PF, Pf or PF4, got '" + printable(magic) + "'");
   const float width = parse_float(next_word(data, at, name), "a width", name),
               height = parse_float(next_word(data, at, name), "a height", name);
   const float scale = parse_float(next_word(data, at, name), "a scale", name);
-  const std::size_t channels = magic == "PF" ? 3 : 1;
+  const float unit = std::abs(scale);
+  if (!(unit > 0) || !std::isfinite(unit)) decode_error(name, "expected a scale that is not 0");
+  const std::vector<std::string> names = magic == "PF"    ? rgb_channels()
+                                         : magic == "PF4" ? rgba_channels()
+                                                          : std::vector<std::string>{"Y"};
+  const std::size_t channels = names.size();
   if (!(width >= 1 && height >= 1 && width < 1e8f && height < 1e8f)) decode_error(name, "the size is not positive");
   const auto w = static_cast<std::uint64_t>(width), h = static_cast<std::uint64_t>(height);
   check_image_size(name, w, h, data.size(), 1);
   if (data.size() - at < w * h * channels * 4)
     decode_error(name, "ends at byte " + std::to_string(data.size()) + ", expected " +
                            std::to_string(at + w * h * channels * 4));
-  Image image(static_cast<int>(w), static_cast<int>(h), channels == 3 ? rgb_channels() : std::vector<std::string>{"Y"});
+  Image image(static_cast<int>(w), static_cast<int>(h), names);
   const std::byte* from = data.data() + at;
   for (int y = image.height(); y-- > 0;)
-    for (float& v : image.row(y)) v = load(from, scale < 0), from += 4;
+    for (float& v : image.row(y)) v = unit * load(from, scale < 0), from += 4;
   return image;
 }
 
-std::vector<std::byte> encode_pfm(const Image& image) {
+std::vector<std::byte> encode_pfm(const Image& image, const WriteOptions&) {
   const bool grey = !image.has_colour();
   const std::string header =
       (grey ? "Pf\n" : "PF\n") + std::to_string(image.width()) + " " + std::to_string(image.height()) + "\n-1.0\n";

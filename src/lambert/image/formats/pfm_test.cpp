@@ -39,10 +39,26 @@ TEST(Pfm, KeepsEveryBit) {
 
 TEST(Pfm, BothByteOrders) {
   const std::string big("\x3f\x80\x00\x00\xc0\x00\x00\x00", 8), little("\x00\x00\x80\x3f\x00\x00\x00\xc0", 8);
-  for (const Image& image : {read("Pf\n1 2\n1.0\n" + big), read("Pf 1 2 -0.5\n" + little)}) {
+  for (const Image& image : {read("Pf\n1 2\n1.0\n" + big), read("Pf 1 2 -1\n" + little)}) {
     EXPECT_EQ(image.at(0, 1, 0), 1) << "the bottom row comes first";
     EXPECT_EQ(image.at(0, 0, 0), -2);
   }
+}
+
+// rows: LF-18
+TEST(Pfm, NumbersAreInUnitsOfTheScale) {
+  const Image image = read("Pf 1 2 -0.5\n" + std::string("\x00\x00\x80\x3f\x00\x00\x00\xc0", 8));
+  EXPECT_EQ(image.at(0, 1, 0), 0.5f);
+  EXPECT_EQ(image.at(0, 0, 0), -1);
+}
+
+TEST(Pfm, FourChannelsHaveAlpha) {
+  std::string pixel;
+  for (const float v : {0.5f, 0.25f, 0.0f, 0.5f}) append(pixel, v);
+  const Image image = read("PF4\n1 1\n-1\n" + pixel);
+  EXPECT_EQ(image.channels(), rgba_channels());
+  EXPECT_EQ(image.rgb(0, 0), Rgb(0.5f, 0.25f, 0));
+  EXPECT_EQ(image.at(0, 0, 3), 0.5f);
 }
 
 TEST(Pfm, SaysWhatItCannotRead) {
@@ -51,7 +67,9 @@ TEST(Pfm, SaysWhatItCannotRead) {
                                    {"PF\n-1 2\n-1\n" + pixel, "size"},
                                    {"PF\nx 2\n-1\n" + pixel, "a width, got 'x'"},
                                    {"PF\n1 1\nnan\n" + pixel, "a scale"},
-                                   {"PG\n1 1\n-1\n" + pixel, "PF or Pf"},
+                                   {"PG\n1 1\n-1\n" + pixel, "PF, Pf or PF4"},
+                                   {"PF\n1 1\n0\n" + pixel, "scale that is not 0"},
+                                   {"PF4\n1 1\n-1\n" + pixel, "ends at byte"},
                                    {"PF\n1 1\n", "header ends"},
                                    {"PF\n1 2\n-1\n" + pixel, "ends at byte"}}) {
     const std::string message = error_of([&] { read(text); });

@@ -3,6 +3,7 @@
 
 #include <png.h>
 
+#include <cmath>
 #include <cstring>
 
 namespace lambert {
@@ -40,7 +41,7 @@ class Decoder {
   Decoder(const Decoder&) = delete;
   Decoder& operator=(const Decoder&) = delete;
 
-  Texels decode(Bytes data, const std::string& name) {
+  Texels decode(Bytes data, const std::string& name, DisplayNotes* notes) {
     Input in{data};
     png_set_read_fn(png_, &in, read_bytes);
     png_read_info(png_, info_);
@@ -59,7 +60,8 @@ class Decoder {
     std::vector<std::uint8_t> pixels(row_bytes * height);
     for (int pass = 0; pass < passes; ++pass)
       for (png_uint_32 y = 0; y < height; ++y) png_read_row(png_, pixels.data() + y * row_bytes, nullptr);
-    png_read_end(png_, nullptr);
+    png_read_end(png_, info_);
+    if (notes) read_notes(*notes);
     if (depth < 16) {
       t.bytes = std::move(pixels);
       return t;
@@ -74,6 +76,26 @@ class Decoder {
   }
 
  private:
+  /// An sRGB chunk or a profile outdoes gamma and primaries; profiles are taken for sRGB's. A gamma about 1/2.2 means
+  /// sRGB, too.
+  void read_notes(DisplayNotes& notes) {
+    png_textp texts = nullptr;
+    int count = 0;
+    png_get_text(png_, info_, &texts, &count);
+    for (int i = 0; i < count; ++i)
+      if (texts[i].key && *texts[i].key && texts[i].text) notes.metadata[texts[i].key] = texts[i].text;
+    if (png_get_valid(png_, info_, PNG_INFO_sRGB) || png_get_valid(png_, info_, PNG_INFO_iCCP)) return;
+    double gamma = 0;
+    if (png_get_gAMA(png_, info_, &gamma) && gamma > 0.1 && gamma < 10 && std::abs(1 / gamma - 2.2) > 0.05)
+      notes.exponent = static_cast<float>(1 / gamma);
+    Chromaticities c;
+    if (!png_get_cHRM(png_, info_, &c.white.x, &c.white.y, &c.red.x, &c.red.y, &c.green.x, &c.green.y, &c.blue.x,
+                      &c.blue.y))
+      return;
+    to_rec709(c);  // throws for what is no system
+    notes.primaries = c;
+  }
+
   png_structp png_;
   png_infop info_;
 };
@@ -89,15 +111,15 @@ struct Encoder {
 
 }  // namespace
 
-Texels decode_png(Bytes data, const std::string& name) {
+Texels decode_png(Bytes data, const std::string& name, DisplayNotes* notes) {
   try {
-    return Decoder().decode(data, name);
+    return Decoder().decode(data, name, notes);
   } catch (const std::exception&) {
     rethrow_named(name);
   }
 }
 
-std::vector<std::byte> encode_png(const DisplayImage& image) {
+std::vector<std::byte> encode_png(const DisplayImage& image, const WriteOptions&) {
   static constexpr int colour_types[] = {0, PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
                                          PNG_COLOR_TYPE_RGBA};
   std::vector<std::byte> out;
@@ -105,8 +127,9 @@ std::vector<std::byte> encode_png(const DisplayImage& image) {
   const png_structp png = encoder.png;
   const png_infop info = encoder.info;
   png_set_write_fn(png, &out, write_bytes, flush);
-  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
-               colour_types[image.channels], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
+               image.words.empty() ? 8 : 16, colour_types[image.channels], PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   std::vector<png_text> texts;
   for (const auto& [key, value] : image.metadata) {
@@ -119,9 +142,11 @@ std::vector<std::byte> encode_png(const DisplayImage& image) {
   }
   png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
   png_write_info(png, info);
+  png_set_swap(png);  // of 16 bits, from the machine's order
   const std::size_t row = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
   for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
-    png_write_row(png, image.bytes.data() + y * row);
+    png_write_row(png, image.words.empty() ? image.bytes.data() + y * row
+                                           : reinterpret_cast<png_const_bytep>(image.words.data() + y * row));
   png_write_end(png, info);
   return out;
 }

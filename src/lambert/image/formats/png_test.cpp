@@ -1,8 +1,11 @@
 #include "damage.h"
+#include "lambert/image/colour.h"
 #include "lambert/image/image_test_tools.h"
+#include "temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <png.h>
+#include <zlib.h>
 
 namespace lambert {
 namespace {
@@ -12,6 +15,8 @@ using Codes = std::vector<std::uint8_t>;
 struct Layout {
   int width, height, depth, colour_type;
   bool interlaced = false;
+  double gamma = 0;   // none
+  bool wide = false;  // the primaries of DCI-P3
 };
 
 /// Written with libpng alone. Two palette colours; the second one is transparent by half.
@@ -32,6 +37,8 @@ std::string png(const Layout& l, const Codes& rows) {
     png_set_PLTE(writer, info, palette, 2);
     png_set_tRNS(writer, info, alpha, 2, nullptr);
   }
+  if (l.gamma > 0) png_set_gAMA(writer, info, l.gamma);
+  if (l.wide) png_set_cHRM(writer, info, 0.3127, 0.329, 0.68, 0.32, 0.265, 0.69, 0.15, 0.06);
   png_write_info(writer, info);
   const std::size_t stride = rows.size() / static_cast<std::size_t>(l.height);
   std::vector<png_bytep> pointers;
@@ -88,6 +95,60 @@ TEST(Png, AWrongChecksumIsAnError) {
   std::string text = png({5, 3, 8, PNG_COLOR_TYPE_GRAY}, Codes(15, 9));
   text[text.size() - 20] = static_cast<char>(text[text.size() - 20] ^ 1);
   EXPECT_EQ(error_of([&] { read(text); }).rfind("a.png: ", 0), 0u);
+}
+
+/// With one more chunk, name and content, behind the header.
+std::string with_chunk(std::string file, const std::string& chunk) {
+  const auto sum = crc32(0, reinterpret_cast<const Bytef*>(chunk.data()), static_cast<uInt>(chunk.size()));
+  std::string whole;
+  for (const auto number : {static_cast<std::uint32_t>(chunk.size() - 4), static_cast<std::uint32_t>(sum)}) {
+    for (int shift = 24; shift >= 0; shift -= 8) whole += static_cast<char>(number >> shift);
+    if (whole.size() == 4) whole += chunk;
+  }
+  return file.insert(33, whole);
+}
+
+TEST(Png, GammaAndPrimariesAreHonouredByImagesAndNotByTextures) {
+  const auto image = [](Layout l) {
+    l.width = l.height = 1, l.depth = 8, l.colour_type = PNG_COLOR_TYPE_RGB;
+    return decode_image(bytes_of(png(l, {128, 0, 0})), "a.png").rgb(0, 0);
+  };
+  const float code = 128 / 255.0f;
+  EXPECT_NEAR(image({}).r, 0.2158605f, 1e-6f);
+  EXPECT_NEAR(image({.gamma = 1}).r, code, 1e-6f);
+  EXPECT_NEAR(image({.gamma = 0.5}).r, code * code, 1e-5f);
+  EXPECT_NEAR(image({.gamma = 0.45455}).r, 0.2158605f, 1e-6f) << "sRGB is meant";
+  const std::string both =
+      with_chunk(png({1, 1, 8, PNG_COLOR_TYPE_RGB, false, 1}, {128, 0, 0}), std::string("sRGB\0", 5));
+  EXPECT_NEAR(decode_image(bytes_of(both), "a.png").rgb(0, 0).r, 0.2158605f, 1e-6f) << "sRGB outdoes gamma";
+  // The red of P3 in Rec. 709.
+  const Rgb wide = image({.gamma = 1, .wide = true});
+  EXPECT_NEAR(wide.r / code, 1.2249f, 2e-3f);
+  EXPECT_NEAR(wide.g / code, -0.0420f, 2e-3f);
+  EXPECT_EQ(read(png({1, 1, 8, PNG_COLOR_TYPE_RGB, false, 1, true}, {128, 0, 0})).bytes, (Codes{128, 0, 0}));
+}
+
+TEST(Png, SixteenBitsAndTextComeBack) {
+  Image image = noise(5, 4, rgba_channels());
+  for (int i = 0; i < 20; ++i) image.at(i % 5, i / 5, 3) = 1;
+  image.metadata["Comment"] = "hello";
+  const TemporaryFolder folder;
+  write_image(folder.path() / "a.png", image, {.depth = Depth::bits16});
+  const Image back = read_image(folder.path() / "a.png");
+  EXPECT_EQ(back.metadata, image.metadata);
+  for (std::size_t i = 0; i < image.pixels().size(); ++i)
+    EXPECT_NEAR(srgb_encode(back.pixels()[i]), srgb_encode(image.pixels()[i]), 0.51f / 65535 + 1e-6f);
+}
+
+TEST(Png, ExifTurnsImages) {
+  // 2x1, seen turned a quarter clockwise: the left pixel on top.
+  const std::string exif("II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0", 26);
+  const std::string file = with_chunk(png({2, 1, 8, PNG_COLOR_TYPE_GRAY}, {10, 250}), "eXIf" + exif);
+  const Image image = decode_image(bytes_of(file), "a.png");
+  ASSERT_EQ(image.width(), 1);
+  ASSERT_EQ(image.height(), 2);
+  EXPECT_LT(image.at(0, 0, 0), image.at(0, 1, 0));
+  EXPECT_EQ(read(file).width, 2) << "textures stay as they are";
 }
 
 }  // namespace

@@ -1,9 +1,13 @@
+#include "lambert/base/number.h"
 #include "lambert/image/formats/codecs.h"
+#include "lambert/image/primaries.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <string_view>
 
 namespace lambert {
@@ -139,26 +143,106 @@ Orientation parse_orientation(std::string_view line, const std::string& name) {
 
 }  // namespace
 
-Image decode_rgbe(Bytes data, const std::string& name) {
+namespace {
+
+/// What the header says of the numbers ("File Formats", Radiance 5).
+struct Header {
+  double exposure = 1;      // all of them multiplied
+  Vec3d correction{1};      // COLORCORR, likewise
+  double pixel_height = 1;  // PIXASPECT: height over width, likewise
+  double gamma = 0;         // of the writers that have it: code = light^(1/gamma)
+  bool xyz = false;
+  std::optional<Chromaticities> primaries;
+  std::map<std::string, std::string> metadata;
+};
+
+/// All `count` numbers of a value; nothing when there are fewer, others or one is not finite.
+std::optional<std::vector<double>> numbers(std::string_view text, std::size_t count) {
+  std::vector<double> values;
+  const char *p = text.data(), *end = p + text.size();
+  while (values.size() < count) {
+    while (p != end && (*p == ' ' || *p == '\t')) ++p;
+    double value = 0;
+    p = parse_double(p, end, value);
+    if (!p) return std::nullopt;
+    values.push_back(value);
+  }
+  return values;
+}
+
+void read_line(std::string_view line, Header& h, const Reader& in) {
+  const std::size_t equals = line.find('=');
+  if (equals == std::string_view::npos) return;  // a comment or a command that made the picture
+  const std::string_view key = line.substr(0, equals);
+  std::string_view value = line.substr(equals + 1);
+  while (!value.empty() && value.front() == ' ') value.remove_prefix(1);
+  const auto positive = [&](std::size_t count) {
+    const auto all = numbers(value, count);
+    if (!all || std::ranges::any_of(*all, [](double v) { return !(v > 0); }))
+      in.fail("expected " + std::string(key) + "=" + (count == 1 ? "a positive number" : "three positive numbers") +
+              ", got '" + printable(value) + "'");
+    return *all;
+  };
+  if (key == "FORMAT") {
+    h.xyz = value == "32-bit_rle_xyze";
+    if (!h.xyz && value != "32-bit_rle_rgbe")
+      in.fail("unknown FORMAT=" + printable(value) + ", expected 32-bit_rle_rgbe or 32-bit_rle_xyze");
+  } else if (key == "EXPOSURE") {
+    h.exposure *= positive(1)[0];
+  } else if (key == "COLORCORR") {
+    const auto v = positive(3);
+    h.correction *= Vec3d(v[0], v[1], v[2]);
+  } else if (key == "PIXASPECT") {
+    h.pixel_height *= positive(1)[0];
+  } else if (key == "GAMMA") {
+    h.gamma = positive(1)[0];
+  } else if (key == "PRIMARIES") {
+    const auto v = numbers(value, 8);
+    if (!v) in.fail("expected eight chromaticities, got '" + printable(value) + "'");
+    const std::vector<double>& p = *v;
+    h.primaries = Chromaticities{{p[0], p[1]}, {p[2], p[3]}, {p[4], p[5]}, {p[6], p[7]}};
+  } else if (key == "SOFTWARE" || key == "VIEW" || key == "OWNER" || key == "CAPDATE") {
+    h.metadata[std::string(key)] = std::string(value);
+  }
+}
+
+/// From the file's colours to Rec. 709. XYZ is as measured; its file's PRIMARIES, where there are any, say only which
+/// white is to become white.
+std::optional<glm::dmat3> conversion(const Header& h) {
+  if (h.xyz) {
+    if (!h.primaries) return to_rec709(cie_xyz);
+    return to_rec709(*h.primaries) * glm::inverse(rgb_to_xyz(*h.primaries));
+  }
+  if (!h.primaries || same_primaries(*h.primaries, rec709)) return std::nullopt;
+  return to_rec709(*h.primaries);
+}
+
+Image decode(Bytes data, const std::string& name) {
   Reader in(data, name);
   const std::string_view magic = in.line();
   if (!magic.starts_with("#?")) decode_error(name, "expected '#?RADIANCE'");
-  float exposure = 1;
-  for (std::string_view line = in.line(); !line.empty(); line = in.line()) {
-    if (line.starts_with("FORMAT=") && line != "FORMAT=32-bit_rle_rgbe")
-      decode_error(name, "unknown " + std::string(line.substr(0, 60)) + ", expected FORMAT=32-bit_rle_rgbe");
-    if (!line.starts_with("EXPOSURE=")) continue;
-    float value = 0;
-    const char* from = line.data() + 9;
-    while (from < line.data() + line.size() && *from == ' ') ++from;
-    std::from_chars(from, line.data() + line.size(), value);
-    if (!(value > 0) || !std::isfinite(value)) in.fail("EXPOSURE is not positive");
-    exposure *= value;  // several multiply
-  }
+  Header header;
+  for (std::string_view line = in.line(); !line.empty(); line = in.line()) read_line(line, header, in);
+  const std::optional<glm::dmat3> matrix = conversion(header);
   const Orientation o = parse_orientation(in.line(), name);
   // A run of 127 takes two bytes a component; an old run of 255·256 takes eight.
   check_image_size(name, static_cast<std::uint64_t>(o.width), static_cast<std::uint64_t>(o.height), data.size(), 8192);
   Image image(o.width, o.height, rgb_channels());
+  image.metadata = header.metadata;
+  if (header.pixel_height != 1) image.attributes["pixelAspectRatio"] = {"float", number_text(1 / header.pixel_height)};
+  // To radiance: what the header says was multiplied in is divided out.
+  const Vec3 unit = Vec3(1.0 / (header.exposure * header.correction));
+  if (!is_finite(unit)) in.fail("EXPOSURE and COLORCORR together are out of range");
+  const Mat3 to_709 = matrix ? Mat3(*matrix) : Mat3(1);
+  const float gamma = static_cast<float>(header.gamma);
+  const auto radiance = [&](Pixel p) {
+    Rgb c = decode_pixel(p);
+    if (gamma > 0 && gamma != 1) c = {std::pow(c.r, gamma), std::pow(c.g, gamma), std::pow(c.b, gamma)};
+    c = c * Rgb(unit.x, unit.y, unit.z);
+    if (!matrix) return c;
+    const Vec3 v = to_709 * Vec3(c.r, c.g, c.b);
+    return Rgb(v.x, v.y, v.z);
+  };
   std::vector<Pixel> row(static_cast<std::size_t>(o.x_is_outer ? o.height : o.width));
   const int lines = o.x_is_outer ? o.width : o.height;
   for (int j = 0; j < lines; ++j) {
@@ -166,17 +250,49 @@ Image decode_rgbe(Bytes data, const std::string& name) {
     for (int i = 0; i < static_cast<int>(row.size()); ++i) {
       const int x = o.x_is_outer ? j : i, y = o.x_is_outer ? i : j;
       image.set_rgb(o.x_flipped ? o.width - 1 - x : x, o.y_flipped ? o.height - 1 - y : y,
-                    decode_pixel(row[static_cast<std::size_t>(i)]) / exposure);
+                    radiance(row[static_cast<std::size_t>(i)]));
     }
   }
   return image;
 }
 
-std::vector<std::byte> encode_rgbe(const Image& image) {
+}  // namespace
+
+Image decode_rgbe(Bytes data, const std::string& name) {
+  try {
+    return decode(data, name);
+  } catch (const std::exception&) {
+    rethrow_named(name);
+  }
+}
+
+namespace {
+
+/// Software, view, shape of the pixels and primaries, for Radiance's own are others; not what would end the line.
+std::string header_lines(const Image& image) {
+  std::string lines;
+  for (const auto& [key, line] : {std::pair{"SOFTWARE", "SOFTWARE"}, {"software", "SOFTWARE"}, {"VIEW", "VIEW"}})
+    if (const auto text = image.metadata.find(key); text != image.metadata.end() && !text->second.empty()) {
+      lines += std::string(line) + "=";
+      for (const char c : text->second) lines += c == '\n' || c == '\r' ? ' ' : c;
+      lines += "\n";
+    }
+  const auto aspect = image.attributes.find("pixelAspectRatio");
+  double ratio = 0;
+  if (aspect != image.attributes.end() &&
+      parse_double(aspect->second.value.data(), aspect->second.value.data() + aspect->second.value.size(), ratio) &&
+      ratio > 0)
+    lines += "PIXASPECT=" + number_text(1 / ratio) + "\n";
+  return lines + "PRIMARIES=" + text_of(rec709) + "\n";
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_rgbe(const Image& image, const WriteOptions&) {
   std::vector<std::byte> out;
   const auto put = [&](std::uint8_t b) { out.push_back(static_cast<std::byte>(b)); };
-  const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(image.height()) + " +X " +
-                             std::to_string(image.width()) + "\n";
+  const std::string header = "#?RADIANCE\n" + header_lines(image) + "FORMAT=32-bit_rle_rgbe\n\n-Y " +
+                             std::to_string(image.height()) + " +X " + std::to_string(image.width()) + "\n";
   for (const char c : header) put(static_cast<std::uint8_t>(c));
   const auto width = static_cast<std::size_t>(image.width());
   const bool compressed = width >= 8 && width < 32768;

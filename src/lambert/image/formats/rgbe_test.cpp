@@ -129,8 +129,48 @@ TEST(Rgbe, ExposureIsDividedOut) {
   EXPECT_EQ(read(text).rgb(0, 0), Rgb(1, 0.5f, 0));
 }
 
+// rows: LF-19
+TEST(Rgbe, CorrectionsAreDividedOutAndGammaIsUndone) {
+  const std::string one = "\n-Y 1 +X 1\n" + rgbe({128, 64, 0, 129});  // 1, 0.5, 0
+  EXPECT_EQ(read("#?RADIANCE\nCOLORCORR=2 1 1\nCOLORCORR= 2 0.5 1\nEXPOSURE=0.5\n" + one).rgb(0, 0), Rgb(0.5f, 2, 0));
+  const Rgb bent = read("#?RGBE\nGAMMA=2\n" + one).rgb(0, 0);
+  EXPECT_NEAR(bent.r, 1, 1e-6f);
+  EXPECT_NEAR(bent.g, 0.25f, 1e-6f);
+}
+
+TEST(Rgbe, PrimariesBecomeRec709) {
+  const std::string one = "\n-Y 1 +X 1\n" + rgbe({128, 128, 128, 129});
+  const auto expect = [](Rgb got, Rgb wanted) {
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], wanted[c], 2e-3f);
+  };
+  // White stays white whatever it is; XYZ is as measured, so that equal numbers are pinkish.
+  expect(read("#?RADIANCE\nPRIMARIES=.64 .33 .29 .6 .15 .06 .3333 .3333\n" + one).rgb(0, 0), Rgb(1));
+  expect(read("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n" + one).rgb(0, 0), {1.2048f, 0.9483f, 0.9088f});
+  expect(read("#?RADIANCE\nPRIMARIES=.64 .33 .29 .6 .15 .06 .3333 .3333\nFORMAT=32-bit_rle_xyze\n" + one).rgb(0, 0),
+         Rgb(1));
+  const Rgb green =
+      read("#?RADIANCE\nPRIMARIES=.7347 .2653 0 1 .0001 -.077 .32168 .33767\n\n-Y 1 +X 1\n" + rgbe({0, 128, 0, 129}))
+          .rgb(0, 0);
+  expect(green, {-1.1341f, 1.3727f, -0.1530f});
+}
+
+TEST(Rgbe, WhatTheHeaderSaysComesBack) {
+  Image image(1, 1, rgb_channels());
+  image.metadata["SOFTWARE"] = "Lambert\nFORMAT=evil";
+  image.attributes["pixelAspectRatio"] = {"float", "2"};
+  const std::string text = text_of(encode_rgbe(image));
+  EXPECT_NE(text.find("PIXASPECT=0.5\n"), std::string::npos) << text;
+  const Image back = read(text);
+  EXPECT_EQ(back.metadata.at("SOFTWARE"), "Lambert FORMAT=evil");
+  EXPECT_EQ(back.attributes, image.attributes);
+}
+
 TEST(Rgbe, SaysWhatItCannotRead) {
-  for (const auto& [text, part] : {std::pair{std::string("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n"), "32-bit_rle_xyze"},
+  for (const auto& [text, part] : {std::pair{std::string("#?RADIANCE\nFORMAT=32-bit_rle_luv\n\n"), "32-bit_rle_luv"},
+                                   {"#?RADIANCE\nCOLORCORR=1 1\n\n", "three positive numbers"},
+                                   {"#?RADIANCE\nPRIMARIES=1 1\n\n", "eight chromaticities"},
+                                   {"#?RADIANCE\nPRIMARIES=0 0 0 0 0 0 0 0\n\n-Y 1 +X 1\n....", "chromaticities"},
+                                   {"#?RADIANCE\nEXPOSURE=1e-300\nEXPOSURE=1e-300\n\n-Y 1 +X 1\n....", "range"},
                                    {"#?RADIANCE\nEXPOSURE=0\n\n-Y 1 +X 1\n....", "EXPOSURE"},
                                    {header + "-Y 1 +Y 1\n....", "-Y 480 +X 640"},
                                    {header + "-Y -1 +X 1\n....", "-Y 480 +X 640"},

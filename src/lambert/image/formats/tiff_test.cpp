@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <tiffio.h>
 
+#include <algorithm>
+
 #include <array>
 #include <iterator>
 #include <optional>
@@ -78,7 +80,33 @@ TEST(Tiff, StripsTilesPlanesAndCompressions) {
 TEST(Tiff, GreyAndItsInverse) {
   EXPECT_EQ(codes(read(tiff({.channels = 1, .photometric = PHOTOMETRIC_MINISBLACK}, "abcdef"))), "abcdef");
   const Texels white = read(tiff({.channels = 1, .photometric = PHOTOMETRIC_MINISWHITE}, std::string(6, '\x10')));
-  EXPECT_EQ(codes(white), std::string(18, '\xef'));
+  EXPECT_EQ(codes(white), std::string(6, '\xef'));
+}
+
+TEST(Tiff, TilesAndPlanesOfFloatsStayFloats) {
+  std::string interleaved, planes;
+  for (int i = 0; i < 18; ++i) append(interleaved, 100.5f * static_cast<float>(i));
+  for (int i = 0; i < 18; ++i) append(planes, 100.5f * static_cast<float>(i % 6 * 3 + i / 6));
+  for (const Texels& t :
+       {read(tiff({.bits = 32, .format = SAMPLEFORMAT_IEEEFP, .tiled = true}, interleaved)),
+        read(tiff({.bits = 32, .plane = PLANARCONFIG_SEPARATE, .format = SAMPLEFORMAT_IEEEFP}, planes))}) {
+    ASSERT_EQ(t.floats.size(), 18u);
+    EXPECT_TRUE(t.linear);
+    for (std::size_t i = 0; i < 18; ++i) EXPECT_EQ(t.floats[i], 100.5f * static_cast<float>(i));
+  }
+}
+
+// What shines without covering (alpha 0) is kept, too.
+TEST(Tiff, FloatsAreWrittenLinearAndPremultiplied) {
+  Image image = noise(5, 4, rgba_channels(), 50);
+  image.at(0, 0, 3) = 0;
+  image.metadata["Artist"] = "someone";
+  const TemporaryFolder folder;
+  write_image(folder.path() / "a.tif", image, {.depth = Depth::full});
+  const Image back = read_image(folder.path() / "a.tif");
+  ASSERT_EQ(back.channels(), rgba_channels());
+  EXPECT_TRUE(std::ranges::equal(back.pixels(), image.pixels()));
+  EXPECT_EQ(back.metadata, image.metadata);
 }
 
 TEST(Tiff, SixteenBitsAndFloats) {

@@ -6,7 +6,7 @@
 
 namespace lambert {
 
-Texels decode_webp(Bytes data, const std::string& name) {
+Texels decode_webp(Bytes data, const std::string& name, DisplayNotes*) {
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(data.data());
   WebPBitstreamFeatures features;
   if (WebPGetFeatures(bytes, data.size(), &features) != VP8_STATUS_OK)
@@ -29,13 +29,19 @@ Texels decode_webp(Bytes data, const std::string& name) {
   return t;
 }
 
-/// Lossless.
-std::vector<std::byte> encode_webp(const DisplayImage& image) {
+/// Lossless without a quality.
+std::vector<std::byte> encode_webp(const DisplayImage& image, const WriteOptions& options) {
   std::uint8_t* buffer = nullptr;
-  const int stride = image.width * image.channels;
-  const std::size_t size = image.channels == 4
-                               ? WebPEncodeLosslessRGBA(image.bytes.data(), image.width, image.height, stride, &buffer)
-                               : WebPEncodeLosslessRGB(image.bytes.data(), image.width, image.height, stride, &buffer);
+  const std::uint8_t* pixels = image.bytes.data();
+  const int w = image.width, h = image.height, stride = w * image.channels;
+  const float quality = static_cast<float>(options.quality.value_or(0));
+  std::size_t size = 0;
+  if (options.quality)
+    size = image.channels == 4 ? WebPEncodeRGBA(pixels, w, h, stride, quality, &buffer)
+                               : WebPEncodeRGB(pixels, w, h, stride, quality, &buffer);
+  else
+    size = image.channels == 4 ? WebPEncodeLosslessRGBA(pixels, w, h, stride, &buffer)
+                               : WebPEncodeLosslessRGB(pixels, w, h, stride, &buffer);
   if (size == 0) throw Error("WebP holds at most 16383x16383 pixels");
   const auto* bytes = reinterpret_cast<const std::byte*>(buffer);
   std::vector<std::byte> out(bytes, bytes + size);

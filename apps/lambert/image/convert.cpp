@@ -1,0 +1,99 @@
+#include "verb.h"
+
+#include "../command.h"
+
+#include "lambert/base/error.h"
+#include "lambert/image/channels.h"
+#include "lambert/image/stream.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace lambert::cli {
+namespace {
+
+struct Options {
+  std::string input, output, layer, crop_to;
+  std::vector<std::string> channels;
+  std::string depth = "auto", compression = "zip";
+  std::optional<int> quality;
+  double exposure = 0;
+};
+
+/// The rows [y0, y1) of `window`, which need not lie in the data window.
+Image rows_of(ImageReader& reader, const Window& window, int y0, int y1) {
+  const Window band{window.x, window.y + y0, window.width, y1 - y0};
+  const Window& data = reader.header().data;
+  const int first = std::clamp(band.y - data.y, 0, data.height),
+            last = std::clamp(band.y + band.height - data.y, first, data.height);
+  if (first < last) return cut(reader.band(first, last), band);
+  ImageHeader empty = reader.header();
+  empty.data = band;
+  return image_of(empty);
+}
+
+int run(const Options& o) {
+  const WriteOptions options{
+      .depth = parse_depth(o.depth), .compression = parse_compression(o.compression), .quality = o.quality};
+  check_write_options(o.output, options);
+  ImageReader reader(o.input);
+  ImageHeader header = reader.header();
+  if (o.crop_to == "display") header.data = header.display;
+  if (o.crop_to == "data") header.display = header.data;
+
+  const std::vector<ChannelChoice> choices = chosen_channels(header.channels, o.layer, o.channels, o.input);
+  const float factor = static_cast<float>(std::exp2(o.exposure));
+  const std::vector<bool> light = light_channels(header.channels);
+  const Window window = header.data;
+  header.channels.clear();
+  for (const ChannelChoice& c : choices) header.channels.push_back(c.name);
+  ImageWriter writer(o.output, header, options);
+  constexpr int rows = 256;
+  for (int y = 0; y < window.height; y += rows) {
+    const Image band = rows_of(reader, window, y, std::min(y + rows, window.height));
+    std::vector<float> chosen(static_cast<std::size_t>(band.height()) * header.row_size());
+    const std::size_t count = choices.size(), stored = band.channel_count();
+    for (std::size_t c = 0; c < count; ++c) {
+      const float scale = light[choices[c].stored] ? factor : 1;
+      const float* from = band.pixels().data() + choices[c].stored;
+      for (std::size_t i = 0; i < chosen.size() / count; ++i) chosen[i * count + c] = scale * from[i * stored];
+    }
+    writer.write(chosen);
+  }
+  writer.close();
+  return done;
+}
+
+}  // namespace
+
+std::function<int()> add_image_convert(CLI::App& app) {
+  static Options options;
+  app.add_option("input", options.input, "An image")->required();
+  app.add_option("-o,--output", options.output, "Where to; its extension says the format")->required();
+  app.add_option("--depth", options.depth, "auto, 8, 16, half or float, of those that the format has")
+      ->check(CLI::IsMember(depth_words()))
+      ->capture_default_str();
+  app.add_option("--compression", options.compression, "Of OpenEXR files")
+      ->check(CLI::IsMember(compression_words()))
+      ->capture_default_str();
+  app.add_option("--channels", options.channels, "Only these, in this order: R,G,B or new=old")->delimiter(',');
+  app.add_option("--layer", options.layer, "Only the channels of this layer, without its name");
+  app.add_option("--exposure", options.exposure, "Doubles light this many times; not alpha, depth and such")
+      ->check(CLI::Range(-1000.0, 1000.0))
+      ->capture_default_str();
+  app.add_option("--crop-to", options.crop_to,
+                 "display: all of what is shown and nothing else; data: show what there is, whatever was shown")
+      ->check(CLI::IsMember({"display", "data"}));
+  app.add_option("--quality", options.quality, "Of JPEG (92 without it) and WebP (lossless without it)")
+      ->check(CLI::Range(1, 100));
+  app.footer(
+      "OpenEXR keeps all channels, windows and attributes; other formats hold the display window, and its colours.\n"
+      "Display formats are clipped to [0, 1] and get sRGB's curve, but TIFF with --depth float, which stays linear.");
+  return [] { return run(options); };
+}
+
+}  // namespace lambert::cli
