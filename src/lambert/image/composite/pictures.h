@@ -16,7 +16,7 @@ namespace lambert::composite {
 /// memory up to `most_kept` bytes in all, and beyond that in temporary files.
 class Pictures {
  public:
-  explicit Pictures(std::size_t most_open = 16, std::size_t most_kept = std::size_t{1} << 28)
+  explicit Pictures(std::size_t most_open = 4, std::size_t most_kept = std::size_t{1} << 28)
       : most_open_(most_open), most_kept_(most_kept) {}
   virtual ~Pictures() = default;
   /// Throws Error naming the file. The header stays where it is as long as this does.
