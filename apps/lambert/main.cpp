@@ -67,6 +67,7 @@ int run(int argc, char** argv) {
   add("compare", "Say how far two images lie apart", cli::add_compare);
   add("hdr", "Radiance from photographs of different exposure, and back", cli::add_hdr);
   add("probe", "Environments: layouts, assembly, irradiance, lights", cli::add_probe);
+  add("composite", "Put pictures together by an expression", cli::add_composite);
   add("completion", "Print a completion script for a shell", cli::add_completion);
 
   if (argc < 2) {

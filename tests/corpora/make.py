@@ -420,6 +420,19 @@ def booleans():
         write(f"boolean/{name}.bytes", bytes([0, kind, 3, 0]) + bytes(random.randrange(256) for _ in range(96)))
 
 
+def composites():
+    write("composite/over.txt", "fg.exr over (sky.exr opaque 0.7)")
+    write("composite/keys.txt", "a.exr key-colour 0 1 0 spill=0.5 mask disk([1:0 24:9], 5, 3) dissolve [1:0, 5:1]")
+    write("composite/names.txt", "\"title \\\"card\\\"\" in 'b.####.exr' layer albedo frame 3 xor polygon(0,0,1,0,1,1,5,6)")
+    write("composite/tree.json", '{"word": "over", "inputs": ["a.exr", {"file": "b.exr"}, {"word": "blur", "numbers": [2], "inputs": ["c"]}]}')
+    for name, text in {"cut": "a.exr over", "deep": "(" * 10_000, "chain": "a.exr" + " over a.exr" * 5000, "quote": '"a.exr',
+                       "nan": "a.exr blur nan", "range": "a.exr dissolve 2", "keys": "a.exr dissolve [2:0 1:1]",
+                       "binary": "a.exr \x01\x02", "many": "disk(" + "1," * 5000 + "1)", "huge": "a.exr blur 1e999"}.items():
+        write(f"composite/bad-{name}.comp", text)
+    write("composite/bad-word.json", '{"word": "ovre", "inputs": ["a", "b"]}')
+    write("composite/bad-deep.json", '{"word":"clamp","inputs":[' * 5000)
+
+
 if __name__ == "__main__":
     images()
     gltfs()
@@ -428,3 +441,4 @@ if __name__ == "__main__":
     pbrts()
     polygons()
     booleans()
+    composites()

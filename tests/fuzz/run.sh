@@ -3,7 +3,7 @@
 set -euo pipefail
 build=$1 seconds=$2
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-readers=(gltf pbrt obj ply image polygon_file boolean)
+readers=(gltf pbrt obj ply image polygon_file composite boolean)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 for reader in "${readers[@]}"; do

@@ -1,0 +1,122 @@
+#include "lambert/image/composite/composite.h"
+
+#include "lambert/base/error.h"
+#include "lambert/image/composite/plan.h"
+#include "lambert/image/composite/sequence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace lambert::composite {
+namespace {
+
+std::string file_at(const std::string& name, double frame) {
+  return name_at_frame(name, static_cast<int>(std::lround(frame)));
+}
+
+struct Job {
+  ElementPtr root;
+  ImageHeader header;
+  int band_rows = 64;
+};
+
+/// Rows of a band: enough that most of what is asked for around it is not asked for twice.
+int rows_for(int margin) { return std::clamp((4 * margin + 15) / 16 * 16, 64, 512); }
+
+Job prepare(const Expression& expression, bool extras, Pictures& pictures, const CompositeSettings& settings) {
+  Job job{.root = plan(expression, settings.frame, file_at, {.all = extras}, pictures, settings.text, settings.name)};
+  const Shape& shape = job.root->shape();
+  if (const ImageHeader* source = job.root->source()) {
+    job.header.metadata = source->metadata;
+    job.header.attributes = source->attributes;
+  }
+  const std::optional<Window> display = settings.display ? settings.display : shape.display;
+  if (!display) throw Error(settings.name + ": no picture says how large the result is; give it a resolution");
+  job.header.display = *display;
+  job.header.data = shape.data && !is_empty(*shape.data) ? *shape.data : *display;
+  const std::uint64_t pixels =
+      static_cast<std::uint64_t>(job.header.data.width) * static_cast<std::uint64_t>(job.header.data.height);
+  if (pixels > std::uint64_t{1} << 28)
+    throw Error(settings.name + ": the result would have " + std::to_string(job.header.data.width) + "x" +
+                std::to_string(job.header.data.height) + " pixels; 'crop' the elements");
+  job.header.channels = shape.channels;
+  if (!shape.has_alpha) job.header.channels.erase(job.header.channels.begin() + alpha_channel);
+  job.band_rows = rows_for(job.root->margin());
+  return job;
+}
+
+void interleave(const Shape& shape, const Band& band, std::span<float> to) {
+  const std::size_t stride = shape.channels.size() - (shape.has_alpha ? 0 : 1), width = band.width();
+  for (int y = band.window().y; y < band.window().y + band.window().height; ++y) {
+    float* row = to.data() + static_cast<std::size_t>(y - band.window().y) * width * stride;
+    if (stride == 4 && shape.has_alpha) {
+      const auto r = band.row(red_channel, y), g = band.row(green_channel, y), b = band.row(blue_channel, y),
+                 a = band.row(alpha_channel, y);
+      for (std::size_t x = 0; x < width; ++x)
+        row[4 * x] = r[x], row[4 * x + 1] = g[x], row[4 * x + 2] = b[x], row[4 * x + 3] = a[x];
+      continue;
+    }
+    std::size_t k = 0;
+    for (std::size_t c = 0; c < shape.channels.size(); ++c) {
+      if (c == alpha_channel && !shape.has_alpha) continue;
+      const auto from = band.row(c, y);
+      for (std::size_t x = 0; x < width; ++x) row[x * stride + k] = from[x];
+      ++k;
+    }
+  }
+}
+
+/// Calls `take` with the rows of band after band.
+CompositeReport run(Job& job, const CompositeSettings& settings,
+                    const std::function<void(int y, std::span<const float>)>& take) {
+  BandPool pool;
+  CompositeReport report{.data = job.header.data};
+  std::vector<float> rows;
+  const Window& data = job.header.data;
+  for (int y = 0; y < data.height; y += job.band_rows) {
+    const Window region{data.x, data.y + y, data.width, std::min(job.band_rows, data.height - y)};
+    Band band = job.root->pull(region, pool);
+    rows.resize(job.header.row_size() * static_cast<std::size_t>(region.height));
+    interleave(job.root->shape(), band, rows);
+    pool.give(std::move(band));
+    take(y, rows);
+    ++report.bands;
+    if (settings.progress) settings.progress(static_cast<double>(y + region.height) / data.height);
+  }
+  report.bytes_in_bands = (pool.peak() + rows.size()) * sizeof(float);
+  return report;
+}
+
+}  // namespace
+
+CompositeReport composite_to_files(const Expression& expression, const std::vector<std::filesystem::path>& outputs,
+                                   const WriteOptions& options, const CompositeSettings& settings) {
+  Pictures pictures;
+  const bool extras =
+      std::any_of(outputs.begin(), outputs.end(), [](const auto& p) { return p.extension() == ".exr"; });
+  Job job = prepare(expression, extras, pictures, settings);
+  std::vector<ImageWriter> writers;
+  for (const std::filesystem::path& path : outputs) writers.emplace_back(path, job.header, options);
+  const CompositeReport report = run(job, settings, [&](int, std::span<const float> rows) {
+    for (ImageWriter& writer : writers) writer.write(rows);
+  });
+  for (ImageWriter& writer : writers) writer.close();
+  return report;
+}
+
+Image composite(const Expression& expression, Pictures& pictures, const CompositeSettings& settings) {
+  Job job = prepare(expression, true, pictures, settings);
+  Image image(job.header.data.width, job.header.data.height, job.header.channels);
+  image.place({job.header.data.x, job.header.data.y}, job.header.display);
+  image.metadata = job.header.metadata;
+  image.attributes = job.header.attributes;
+  run(job, settings, [&](int y, std::span<const float> rows) {
+    std::ranges::copy(rows,
+                      image.pixels().subspan(static_cast<std::size_t>(y) * job.header.row_size(), rows.size()).begin());
+  });
+  return image;
+}
+
+}  // namespace lambert::composite

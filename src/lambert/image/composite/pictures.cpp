@@ -1,0 +1,99 @@
+#include "lambert/image/composite/pictures.h"
+
+#include "lambert/base/error.h"
+#include "lambert/base/file.h"
+
+#include <unistd.h>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace lambert::composite {
+namespace {
+
+bool is_exr(const std::string& file) {
+  constexpr std::string_view magic = "\x76\x2f\x31\x01";
+  return MappedFile(file).text().starts_with(magic);
+}
+
+std::size_t bytes_of(const ImageHeader& h) {
+  return h.row_size() * static_cast<std::size_t>(h.data.height) * sizeof(float);
+}
+
+[[noreturn]] void spool_error(const char* what) {
+  throw Error(std::string("temporary file: ") + what + ": " + std::strerror(errno));
+}
+
+/// All of it, or an Error.
+void read_all(int descriptor, std::span<float> to, std::uint64_t offset) {
+  char* at = reinterpret_cast<char*>(to.data());
+  for (std::size_t left = to.size_bytes(); left > 0;) {
+    const ssize_t count = ::pread(descriptor, at, left, static_cast<off_t>(offset));
+    if (count <= 0) spool_error("cannot be read");
+    at += count, left -= static_cast<std::size_t>(count), offset += static_cast<std::uint64_t>(count);
+  }
+}
+
+}  // namespace
+
+const ImageHeader& Pictures::header(const std::string& file) {
+  const auto found = entries_.find(file);
+  return found != entries_.end() ? found->second.header : open(file).header;
+}
+
+void Pictures::read(const std::string& file, int y0, int y1, std::span<float> to) {
+  Entry& entry = open(file);
+  if (entry.reader) return entry.reader->read(y0, y1, to);
+  const std::uint64_t offset = static_cast<std::uint64_t>(y0) * entry.header.row_size() * sizeof(float);
+  read_all(::fileno(entry.spool.get()), to, offset);
+}
+
+Pictures::Entry& Pictures::open(const std::string& file) {
+  Entry& entry = entries_[file];
+  entry.used = ++clock_;
+  if (entry.reader || entry.spool) return entry;
+  try {
+    entry.reader = std::make_unique<ImageReader>(file);
+    entry.header = entry.reader->header();
+    entry.whole = !is_exr(file);
+  } catch (...) {
+    entries_.erase(file);
+    throw;
+  }
+  if (!entry.whole) {
+    close_oldest(entry);
+  } else if (kept_ + bytes_of(entry.header) > most_kept_) {
+    spool(entry);
+  } else {
+    kept_ += bytes_of(entry.header);
+  }
+  return entry;
+}
+
+void Pictures::close_oldest(const Entry& but) {
+  std::size_t open = 0;
+  Entry* oldest = nullptr;
+  for (auto& [name, entry] : entries_) {
+    if (!entry.reader || entry.whole) continue;
+    ++open;
+    if (&entry != &but && (!oldest || entry.used < oldest->used)) oldest = &entry;
+  }
+  if (open > most_open_ && oldest) oldest->reader.reset();
+}
+
+void Pictures::spool(Entry& entry) const {
+  entry.spool = std::shared_ptr<std::FILE>(std::tmpfile(), [](std::FILE* f) {
+    if (f) std::fclose(f);
+  });
+  if (!entry.spool) spool_error("cannot be made");
+  std::vector<float> row(entry.header.row_size());
+  for (int y = 0; y < entry.header.data.height; ++y) {
+    entry.reader->read(y, y + 1, row);
+    if (std::fwrite(row.data(), sizeof(float), row.size(), entry.spool.get()) != row.size())
+      spool_error("cannot be written");
+  }
+  if (std::fflush(entry.spool.get()) != 0) spool_error("cannot be written");
+  entry.reader.reset();
+}
+
+}  // namespace lambert::composite

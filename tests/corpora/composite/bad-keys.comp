@@ -1,0 +1,1 @@
+a.exr dissolve [2:0 1:1]

@@ -1,0 +1,1 @@
+a.exr blur nan

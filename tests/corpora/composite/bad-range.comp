@@ -1,0 +1,1 @@
+a.exr dissolve 2
