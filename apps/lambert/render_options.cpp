@@ -189,6 +189,8 @@ std::vector<std::string> output_paths(const RenderOptions& options) {
   return paths;
 }
 
-ToneSettings tone_settings(const RenderOptions& options) { return {tone_operator(options.tonemap), options.exposure}; }
+ToneSettings tone_settings(const RenderOptions& options) {
+  return {.op = tone_operator(options.tonemap), .exposure = options.exposure};
+}
 
 }  // namespace lambert::cli

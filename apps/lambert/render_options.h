@@ -2,7 +2,7 @@
 /// The flags of `lambert render`, shared with every command that renders.
 
 #include "lambert/camera/camera.h"
-#include "lambert/image/tonemap.h"
+#include "lambert/image/tonemap/tonemap.h"
 #include "lambert/render/render.h"
 
 #include "load_scene.h"
