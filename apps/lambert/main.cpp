@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
   add("info", "Say what is in a scene", cli::add_info);
   add("methods", "List the methods of rendering and their settings", cli::add_methods);
   add("polygon", "Algorithms of the plane on files of polygons", cli::add_polygon);
+  add("tonemap", "Map radiance to what a display can show", cli::add_tonemap);
   add("compare", "Say how far two images lie apart", cli::add_compare);
   add("completion", "Print a completion script for a shell", cli::add_completion);
 

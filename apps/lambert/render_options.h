@@ -27,8 +27,7 @@ struct RenderOptions {
   std::uint64_t seed = 0;
   std::size_t threads = 0;
   int pass_size = 0;
-  float exposure = 0;
-  std::string tonemap = "linear";
+  std::string exposure = "0", tonemap = "linear";
   std::string progress, stats;
   bool quiet = false, verbose = false;
 };

@@ -51,7 +51,8 @@ struct Agx {
         const float stops = (fast_log2(std::max(v, 1e-30f)) - least) * per_stop;
         const float x = slope * (std::min(std::max(stops, 0.0f), 1.0f) - pivot);
         const float up = shoulder(std::max(x, 0.0f)), down = toe(std::max(-x, 0.0f));
-        return fast_pow(std::max(level + up - down, 1e-6f), display_power);
+        const float shown = fast_pow(std::max(level + up - down, 1e-6f), display_power);
+        return stops > 0 ? shown : 0.0f;
       };
       const Rgb v = in(c);
       return out(Rgb(channel(v.r), channel(v.g), channel(v.b)));

@@ -11,7 +11,7 @@ namespace lambert::tone {
 struct Fattal {
   static constexpr const char *name = "fattal", *summary = "Fattal 2002: large gradients are attenuated";
   static constexpr float usual_saturation = 0.8f;  ///< of its colours: those of the paper's pictures have 0.4 to 0.6
-  float alpha = 0.1f;                        ///< times the mean gradient: the gradient that stays as it is
+  float alpha = 0.1f;                              ///< times the mean gradient: the gradient that stays as it is
   float beta = 0.85f;
   float noise = 0.01f;
   float clip = 0.5f;

@@ -42,8 +42,9 @@ float LuminanceMap::percentile(float percent) const {
   std::copy_if(luminance.values.begin(), luminance.values.end(), std::back_inserter(sorted), counts);
   if (sorted.empty()) return 1;
   const double share = std::clamp(static_cast<double>(percent), 0.0, 100.0) / 100.0;
-  const auto nth =
-      static_cast<std::ptrdiff_t>(std::max(0.0, std::ceil(share * static_cast<double>(sorted.size())) - 1));
+  // Whole numbers that rounding lifted are still whole.
+  const double rank = std::ceil(share * static_cast<double>(sorted.size()) * (1 - 1e-6));
+  const auto nth = static_cast<std::ptrdiff_t>(std::max(0.0, rank - 1));
   std::nth_element(sorted.begin(), sorted.begin() + nth, sorted.end());
   return sorted[static_cast<std::size_t>(nth)];
 }

@@ -15,6 +15,7 @@
 #include "lambert/image/tonemap/filmic.h"
 #include "lambert/image/tonemap/linear.h"
 #include "lambert/image/tonemap/mertens.h"
+#include "lambert/image/tonemap/ocio.h"
 #include "lambert/image/tonemap/photographic_local.h"
 #include "lambert/image/tonemap/reinhard.h"
 #include "lambert/image/tonemap/reinhard_devlin.h"
@@ -24,9 +25,10 @@
 
 namespace lambert {
 
-using ToneOperator = std::variant<tone::Linear, tone::DarkestRange, tone::DarkestPixels, tone::Reinhard,
-                                  tone::Photographic, tone::PhotographicLocal, tone::ReinhardDevlin, tone::Drago,
-                                  tone::Durand, tone::Fattal, tone::Mertens, tone::Filmic, tone::Aces, tone::Agx>;
+using ToneOperator =
+    std::variant<tone::Linear, tone::DarkestRange, tone::DarkestPixels, tone::Reinhard, tone::Photographic,
+                 tone::PhotographicLocal, tone::ReinhardDevlin, tone::Drago, tone::Durand, tone::Fattal, tone::Mertens,
+                 tone::Filmic, tone::Aces, tone::Agx, tone::Ocio>;
 
 namespace tone {
 
