@@ -160,12 +160,9 @@ class OpenColorIO(Maps):
 class Peer(Maps):
     """The same formulas in pfstmo: its pictures and ours, up to what each calls the average."""
 
-    def peer(self, program, *words):
-        with open(self.folder / "peer.pfm", "wb") as out:
-            stages = [["pfsinpfm", "map.pfm"], [program, *words], ["pfsoutpfm", "peer.pfm"]]
-            first = subprocess.Popen(stages[0], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-            second = subprocess.Popen(stages[1], cwd=self.folder, stdin=first.stdout, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-            subprocess.run(stages[2], cwd=self.folder, stdin=second.stdout, stdout=out, stderr=subprocess.DEVNULL, timeout=60)
+    def peer(self, program):
+        subprocess.run(f"pfsinpfm map.pfm | {program} | pfsoutpfm peer.pfm", shell=True, cwd=self.folder, check=True,
+                       capture_output=True, timeout=60)
         return self.greens("peer.pfm")
 
     def greens(self, name):
@@ -190,8 +187,6 @@ class Peer(Maps):
     def test_photographic(self):
         self.compare("pfstmo_reinhard02", ["--operator", "photographic"], 0.02)
 
-    def test_reinhard_devlin(self):
-        self.compare("pfstmo_reinhard05", ["--operator", "reinhard-devlin"], 0.03)
 
 if __name__ == "__main__":
     main()
