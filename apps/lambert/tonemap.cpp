@@ -17,7 +17,6 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -31,7 +30,7 @@ struct TonemapOptions {
   std::vector<std::string> inputs, outputs, operators, assignments;
   std::string exposure = "0", channels, percentiles;
   float key = AutoExposure{}.key;
-  std::optional<float> saturation;
+  float saturation = 1;
   bool montage = false, list = false, json = false;
   int columns = 0, tile_width = 400;
 };

@@ -6,16 +6,25 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 scenes=../../../scenes
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
-"$lambert" render $scenes/environment/environment.pbrt --resolution 960x540 --spp 128 --set clamp=3 --quiet -o "$work/sunset.exr" >/dev/null
+# The scene of three balls, seen against its sun: 20000 to 1.
+{
+  echo "LookAt 1.5 1.4 7  -1.5 1.5 0  0 1 0"
+  grep -v LookAt $scenes/environment/environment.pbrt | sed 's/"float fov" 26/"float fov" 62/'
+} >"$work/sunset.pbrt"
+cp $scenes/environment/sky.hdr "$work"
+"$lambert" render "$work/sunset.pbrt" --resolution 640x360 --spp 256 --set clamp=30 --quiet -o "$work/sunset.exr" >/dev/null
 map() { "$lambert" tonemap "$work/sunset.exr" "$@" >/dev/null; }
 
 map --montage --tile-width 300 --exposure auto -o montage.jpg
-for name in linear darkest-range darkest-pixels reinhard photographic photographic-local reinhard-devlin drago durand fattal mertens \
-  filmic aces agx; do
-  exposure=0
-  case $name in linear | reinhard | filmic | aces | agx) exposure=auto+1 ;; esac
-  map --operator $name --exposure $exposure -o "$work/$name.exr"
-  "$lambert" tonemap "$work/$name.exr" --operator linear --montage --tile-width 400 -o "$name.jpg" >/dev/null
+for name in linear reinhard filmic aces agx; do map --operator $name --exposure auto -o "$work/$name.exr"; done
+for name in darkest-range darkest-pixels photographic photographic-local reinhard-devlin drago durand fattal mertens; do
+  map --operator $name -o "$work/$name.exr"
+done
+map --operator linear --set white=0 -o "$work/linear-largest.exr"
+map --operator reinhard --exposure auto --channels rgb -o "$work/reinhard-rgb.exr"
+for picture in "$work"/*.exr; do
+  name=$(basename "$picture" .exr)
+  [ "$name" = sunset ] || "$lambert" tonemap "$picture" --operator linear -o "$name.jpg" >/dev/null
 done
 python3 craik_o_brien.py "$work/craik.pfm"
 "$lambert" tonemap "$work/craik.pfm" --operator linear -o craik-o-brien.png >/dev/null

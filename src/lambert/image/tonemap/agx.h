@@ -16,7 +16,7 @@ struct SigmoidSide {
   /// not more than `rise` counts as a little more.
   static SigmoidSide to(float straight, float rise, float power);
   float operator()(float straight) const {
-    return straight * fast_pow(1 + fast_pow(std::max(straight / scale, 1e-10f), power), -1 / power);
+    return straight * fast_pow(1 + fast_pow(at_least(straight / scale, 1e-10f), power), -1 / power);
   }
 };
 
@@ -48,11 +48,11 @@ struct Agx {
     const auto shoulder = SigmoidSide::to(contrast * (1 - pivot), 1 - level, 1.5f);
     return [=, slope = contrast, least = middle - below, per_stop = 1 / range](Rgb c) {
       const auto channel = [&](float v) {
-        const float stops = (fast_log2(std::max(v, 1e-30f)) - least) * per_stop;
-        const float x = slope * (std::min(std::max(stops, 0.0f), 1.0f) - pivot);
-        const float up = shoulder(std::max(x, 0.0f)), down = toe(std::max(-x, 0.0f));
-        const float shown = fast_pow(std::max(level + up - down, 1e-6f), display_power);
-        return stops > 0 ? shown : 0.0f;
+        const float stops = (fast_log2(at_least(v, 1e-30f)) - least) * per_stop;
+        const float x = slope * (at_most(at_least(stops, 0.0f), 1.0f) - pivot);
+        const float up = shoulder(at_least(x, 0.0f)), down = toe(at_least(-x, 0.0f));
+        const float shown = fast_pow(at_least(level + up - down, 1e-6f), display_power);
+        return chosen(stops > 0, shown, 0.0f);
       };
       const Rgb v = in(c);
       return out(Rgb(channel(v.r), channel(v.g), channel(v.b)));

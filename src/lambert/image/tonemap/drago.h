@@ -25,7 +25,7 @@ struct Drago {
     const float scale = 1 / std::log10(largest + 1);
     return [=, inverse = 1 / largest](float luminance) {
       const float l = luminance * adaptation;
-      const float share = l * inverse > 1e-30f ? l * inverse : 1e-30f;
+      const float share = at_least(l * inverse, 1e-30f);
       const float base = 2 + 8 * fast_pow(share, exponent);
       return scale * fast_log2(1 + l) / fast_log2(base);
     };

@@ -17,9 +17,18 @@ inline float fast_log2(float x) {
   return static_cast<float>(e) + s * (2.88539008f + q * (0.961796694f + q * (0.577078016f + q * 0.412198583f)));
 }
 
+/// `a` if `first`, else `b`, by masks: of conditional expressions on constants compilers make branches.
+inline float chosen(bool first, float a, float b) {
+  const std::int32_t mask = -static_cast<std::int32_t>(first);
+  return std::bit_cast<float>((std::bit_cast<std::int32_t>(a) & mask) | (std::bit_cast<std::int32_t>(b) & ~mask));
+}
+
+inline float at_least(float v, float low) { return chosen(v > low, v, low); }
+inline float at_most(float v, float high) { return chosen(v < high, v, high); }
+
 /// 2^x to a relative error below 4e-7 for x from -126 to 127; beyond, the value at that end.
 inline float fast_exp2(float x) {
-  const float inside = x > -126.0f ? (x < 127.0f ? x : 127.0f) : -126.0f;
+  const float inside = at_most(at_least(x, -126.0f), 127.0f);
   // Adding 1.5 * 2^23 leaves the nearest whole number in the low bits.
   constexpr float shift = 0x1.8p23f;
   const float shifted = inside + shift;

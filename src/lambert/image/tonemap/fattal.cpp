@@ -88,7 +88,7 @@ Plane Fattal::map(const LuminanceMap& map) const {
   LuminanceMap out;
   out.luminance = with_scaled_gradients(logarithm, attenuation(logarithm));
   for_rows(out.luminance.height, [&](int y) {
-    for (float& v : out.luminance.row(y)) v = fast_exp2(v);
+    for (float& v : out.luminance.row(y)) v = fast_exp2(contrast * v);
   });
   const float scale = 1 / out.percentile(100 - clip);
   for_rows(out.luminance.height, [&](int y) {

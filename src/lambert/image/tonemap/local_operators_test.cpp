@@ -127,7 +127,7 @@ TEST(Poisson, FindsAnyPlaneFromItsGradients) {
 TEST(Fattal, WithoutAttenuationOnlyScales) {
   Plane plane = decades(90, 71);
   for (float& v : plane.values) v = std::exp2(v);
-  const Plane shown = Fattal{.beta = 1}.map(map_of(plane));
+  const Plane shown = Fattal{.beta = 1, .contrast = 1}.map(map_of(plane));
   const float ratio = shown.values[0] / plane.values[0];
   for (std::size_t i = 0; i < plane.values.size(); ++i) {
     // The few below the floor go in proportion from there.

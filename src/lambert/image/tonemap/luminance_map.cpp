@@ -55,14 +55,14 @@ void StatisticsSum::add_row(const float* r, const float* g, const float* b, cons
   const auto add = [&](std::size_t lane, std::size_t x) {
     const float l = luminance[x];
     const bool in = (l >= least) & (l < infinite_radiance);
-    const float one = in ? 1.0f : 0.0f;
+    const float one = chosen(in, 1.0f, 0.0f);
     lanes.counted[lane] += one;
-    lanes.log2[lane] += fast_log2(in ? l : 1.0f);
+    lanes.log2[lane] += fast_log2(chosen(in, l, 1.0f));
     lanes.sum[lane] += one * l;
     lanes.r[lane] += one * r[x];
     lanes.g[lane] += one * g[x];
     lanes.b[lane] += one * b[x];
-    const float high = one * l, low = in ? l : infinite_radiance;
+    const float high = one * l, low = chosen(in, l, infinite_radiance);
     lanes.largest[lane] = lanes.largest[lane] > high ? lanes.largest[lane] : high;
     lanes.smallest[lane] = lanes.smallest[lane] < low ? lanes.smallest[lane] : low;
   };

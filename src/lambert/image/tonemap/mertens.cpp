@@ -13,12 +13,12 @@ namespace {
 
 /// The sRGB curve and its inverse on [0, 1].
 float coded(float v) {
-  const float power = 1.055f * fast_pow(std::max(v, 0.0031308f), 1 / 2.4f) - 0.055f;
-  return v <= 0.0031308f ? 12.92f * v : power;
+  const float power = 1.055f * fast_pow(at_least(v, 0.0031308f), 1 / 2.4f) - 0.055f;
+  return chosen(v <= 0.0031308f, 12.92f * v, power);
 }
 float decoded(float v) {
-  const float power = fast_pow((std::max(v, 0.04045f) + 0.055f) * (1 / 1.055f), 2.4f);
-  return v <= 0.04045f ? v * (1 / 12.92f) : power;
+  const float power = fast_pow((at_least(v, 0.04045f) + 0.055f) * (1 / 1.055f), 2.4f);
+  return chosen(v <= 0.04045f, v * (1 / 12.92f), power);
 }
 
 void for_channels(RgbPlanes& planes, const std::function<void(Plane&)>& body) {
@@ -54,9 +54,9 @@ Plane quality(const RgbPlanes& p, const Mertens& m, bool colour) {
       const float er = r[x] - 0.5f, eg = g[x] - 0.5f, eb = b[x] - 0.5f;
       // The Gaussian of deviation 0.2 for each channel; 18.0 is log2(e) / (2 * 0.2^2).
       const float exposedness = fast_exp2(-18.033688f * (er * er + eg * eg + eb * eb));
-      to[x] = fast_pow(std::max(contrast, least), m.contrast) *
-              (colour ? fast_pow(std::max(saturation, least), m.saturation) : 1.0f) *
-              fast_pow(std::max(exposedness, least), m.exposedness);
+      to[x] = fast_pow(at_least(contrast, least), m.contrast) *
+              (colour ? fast_pow(at_least(saturation, least), m.saturation) : 1.0f) *
+              fast_pow(at_least(exposedness, least), m.exposedness);
     }
   });
   return out;

@@ -32,7 +32,7 @@ void ReinhardDevlin::map(RgbPlanes& planes, const LuminanceMap& map) const {
         for (std::size_t x = 0; x < width; ++x) {
           const float local = chromatic * value[x] + (1 - chromatic) * luminance[x];
           const float adaptation = light * local + (1 - light) * global;
-          value[x] = value[x] / (value[x] + fast_pow(std::max(f * adaptation, tiny), m));
+          value[x] = value[x] / (value[x] + fast_pow(at_least(f * adaptation, tiny), m));
         }
         const auto [low, high] = std::minmax_element(row.begin(), row.end());
         least[block] = std::min(least[block], *low), most[block] = std::max(most[block], *high);

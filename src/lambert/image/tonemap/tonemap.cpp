@@ -64,21 +64,25 @@ void store(const ColourRow& row, bool alpha, Image& out, int y) {
 
 /// c' = (c/L)^s L'; a black pixel takes L' as its grey.
 void colour_from_luminance(ColourRow& row, const float* luminance, const float* shown, float saturation) {
+  const std::size_t width = row.r.size();
+  std::vector<float> ratios(width);
+  float* const ratio = ratios.data();
+  for (std::size_t x = 0; x < width; ++x) {
+    const float l = luminance[x] > least_luminance ? luminance[x] : least_luminance;
+    ratio[x] = (saturation == 1 ? shown[x] : 1.0f) / l;
+  }
   for (std::vector<float>* channel : {&row.r, &row.g, &row.b}) {
     float* const c = channel->data();
-    const std::size_t width = channel->size();
     if (saturation == 1) {
       for (std::size_t x = 0; x < width; ++x) {
-        const float l = luminance[x];
-        const float ratio = shown[x] / (l > least_luminance ? l : least_luminance);
-        c[x] = l > least_luminance ? c[x] * ratio : shown[x];
+        const float scaled = c[x] * ratio[x], grey = shown[x];
+        c[x] = luminance[x] > least_luminance ? scaled : grey;
       }
     } else {
       for (std::size_t x = 0; x < width; ++x) {
-        const float l = luminance[x] > least_luminance ? luminance[x] : least_luminance;
-        const float ratio = c[x] / l;
-        const float power = fast_pow(ratio > 1e-30f ? ratio : 1e-30f, saturation);
-        c[x] = luminance[x] > least_luminance ? power * shown[x] : shown[x];
+        const float share = c[x] * ratio[x], grey = shown[x];
+        const float scaled = fast_pow(at_least(share, 1e-30f), saturation) * grey;
+        c[x] = luminance[x] > least_luminance ? scaled : grey;
       }
     }
   }
@@ -202,14 +206,6 @@ struct Job {
   }
 };
 
-template <class Op>
-float usual_saturation() {
-  if constexpr (requires { Op::usual_saturation; })
-    return Op::usual_saturation;
-  else
-    return 1;
-}
-
 template <class... Ops>
 std::vector<ToneOperator> defaults(const std::variant<Ops...>*) {
   return {Ops{}...};
@@ -281,7 +277,7 @@ Image tonemap(const Image& image, const ToneSettings& settings) {
                 .scale = scale,
                 .map = rows.luminance_map(scale),
                 .channels = settings.channels,
-                .saturation = settings.saturation.value_or(usual_saturation<std::decay_t<decltype(op)>>())};
+                .saturation = settings.saturation};
         return job.run(op);
       },
       settings.op);

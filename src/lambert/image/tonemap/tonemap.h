@@ -36,7 +36,7 @@ struct ToneSettings {
   float exposure = 0;                     ///< in stops: radiance is first scaled by 2^exposure
   std::optional<AutoExposure> automatic;  ///< found first; `exposure` is added to it
   std::optional<ToneChannels> channels;   ///< by default as the operator was published
-  std::optional<float> saturation;        ///< by default 1, or what the operator says
+  float saturation = 1;
 };
 
 /// Maps colours to the display: linear display light in [0, 1]. The image's other channels are dropped, except A, which
