@@ -20,6 +20,7 @@ std::function<int()> add_methods(CLI::App& app);
 std::function<int()> add_image(CLI::App& app);
 std::function<int()> add_polygon(CLI::App& app);
 std::function<int()> add_lab(CLI::App& app);
+std::function<int()> add_tonemap(CLI::App& app);
 std::function<int()> add_compare(CLI::App& app);
 std::function<int()> add_hdr(CLI::App& app);
 std::function<int()> add_probe(CLI::App& app);

@@ -64,6 +64,7 @@ int run(int argc, char** argv) {
   add("image", "Convert, resample, filter and inspect image files", cli::add_image);
   add("polygon", "Algorithms of the plane on files of polygons", cli::add_polygon);
   add("lab", "Demonstrations of sampling, with pictures and plots", cli::add_lab);
+  add("tonemap", "Map radiance to what a display can show", cli::add_tonemap);
   add("compare", "Say how far two images lie apart", cli::add_compare);
   add("hdr", "Radiance from photographs of different exposure, and back", cli::add_hdr);
   add("probe", "Environments: layouts, assembly, irradiance, lights", cli::add_probe);

@@ -1,5 +1,6 @@
 #include "render_options.h"
 
+#include "exposure_flag.h"
 #include "number_range.h"
 
 #include "lambert/base/error.h"
@@ -99,8 +100,8 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
       app.add_option("--pass-size", o.pass_size, "Samples per pixel and pass (0: growing); does not change the image")
           ->capture_default_str(),
       whole_number(0, most_samples));
-  expect_number(app.add_option("--exposure", o.exposure, "Stops, for display formats")->capture_default_str(),
-                {.expected = "a number of stops between -100 and 100", .low = -100, .below = 100});
+  app.add_option("--exposure", o.exposure, "Stops, for display formats; auto, or auto with stops: auto+1")
+      ->capture_default_str();
   app.add_option("--tonemap", o.tonemap, "For display formats: " + joined(tone_operator_names()))
       ->capture_default_str();
   app.add_option("--progress", o.progress, "tty, ndjson or none; by default a bar if standard error is a terminal");
@@ -189,6 +190,10 @@ std::vector<std::string> output_paths(const RenderOptions& options) {
   return paths;
 }
 
-ToneSettings tone_settings(const RenderOptions& options) { return {tone_operator(options.tonemap), options.exposure}; }
+ToneSettings tone_settings(const RenderOptions& options) {
+  ToneSettings settings{.op = tone_operator(options.tonemap)};
+  set_exposure(settings, options.exposure);
+  return settings;
+}
 
 }  // namespace lambert::cli

@@ -2,7 +2,7 @@
 /// The flags of `lambert render`, shared with every command that renders.
 
 #include "lambert/camera/camera.h"
-#include "lambert/image/tonemap.h"
+#include "lambert/image/tonemap/tonemap.h"
 #include "lambert/render/render.h"
 
 #include "load_scene.h"
@@ -27,8 +27,7 @@ struct RenderOptions {
   std::uint64_t seed = 0;
   std::size_t threads = 0;
   int pass_size = 0;
-  float exposure = 0;
-  std::string tonemap = "linear";
+  std::string exposure = "0", tonemap = "linear";
   std::string progress, stats;
   bool quiet = false, verbose = false;
 };

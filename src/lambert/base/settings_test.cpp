@@ -1,8 +1,12 @@
-#include "lambert/render/method.h"
+#include "lambert/base/settings.h"
 
 #include "lambert/base/error.h"
 
 #include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace lambert {
 namespace {
@@ -42,6 +46,16 @@ TEST(SettingTable, RefusesNumbersBelowTheLeast) {
   EXPECT_EQ(count, 1);
 }
 
+TEST(SettingTable, RefusesNumbersOutOfTheRange) {
+  float share = 0.5f;
+  SettingTable table({{"share", "", &share, {}, {}, 0.0f, 1.5f}});
+  EXPECT_EQ(error_of([&] { table.set("share", "0"); }), "setting 'share': expected a number above 0, got '0'");
+  EXPECT_EQ(error_of([&] { table.set("share", "1.6"); }),
+            "setting 'share': expected a number of at most 1.5, got '1.6'");
+  table.set("share", "1.5");
+  EXPECT_EQ(share, 1.5f);
+}
+
 TEST(SettingTable, WritesThroughToTheStruct) {
   Example e;
   SettingTable table = e.table();
@@ -75,21 +89,6 @@ TEST(SettingTable, ErrorsNameKeyValueAndWhatWasExpected) {
   EXPECT_NE(error("dept", "1").find("depth"), std::string::npos);
   EXPECT_EQ(e.depth, 3) << "nothing was changed";
   EXPECT_EQ(e.mode, "fast");
-}
-
-TEST(Methods, AreMadeByName) {
-  const auto names = method_names();
-  EXPECT_NE(std::find(names.begin(), names.end(), "path"), names.end());
-  for (const std::string& name : names) {
-    const auto method = make_method(name);
-    EXPECT_EQ(method->info().name, name);
-    EXPECT_FALSE(method->info().summary.empty());
-    EXPECT_FALSE(method->info().light_paths.empty());
-    const auto table = method->settings();
-    for (const Setting& s : table.settings()) EXPECT_FALSE(s.help.empty()) << name << " " << s.key;
-  }
-  EXPECT_NE(error_of([] { make_method("pth"); }).find("unknown method 'pth'"), std::string::npos);
-  EXPECT_NE(error_of([] { make_method("pth"); }).find("path"), std::string::npos);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// Settings of methods by name, as `--set key=value` and the browser view give them.
+/// Settings of methods and operators by name, as `--set key=value` and the browser view give them.
 
 #include <optional>
 #include <string>
@@ -17,9 +17,11 @@ struct Setting {
   std::variant<int*, float*, bool*, std::string*> target;
   std::vector<std::string> choices = {};  ///< allowed words; empty: any
   std::optional<int> least = {};          ///< of a number
+  std::optional<float> above = {};        ///< a number must be greater
+  std::optional<float> most = {};         ///< of a number
 };
 
-/// The settings of one method.
+/// The settings of one method or operator.
 class SettingTable {
  public:
   explicit SettingTable(std::vector<Setting> settings) : settings_(std::move(settings)) {}

@@ -1,6 +1,7 @@
-#include "lambert/render/settings.h"
+#include "lambert/base/settings.h"
 
 #include "lambert/base/error.h"
+#include "lambert/base/number.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,15 +10,24 @@
 namespace lambert {
 namespace {
 
+std::string float_text(float value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
 template <class T>
 T parse_number(const Setting& s, std::string_view value, const char* kind) {
   T number{};
   const auto [end, status] = std::from_chars(value.data(), value.data() + value.size(), number);
   if (status != std::errc() || end != value.data() + value.size())
     throw Error("setting '" + s.key + "': expected " + kind + ", got '" + std::string(value) + "'");
-  if (s.least && number < static_cast<T>(*s.least))
-    throw Error("setting '" + s.key + "': expected " + kind + " of at least " + std::to_string(*s.least) + ", got '" +
-                std::string(value) + "'");
+  const auto refuse = [&](const std::string& expected) {
+    throw Error("setting '" + s.key + "': expected " + kind + expected + ", got '" + std::string(value) + "'");
+  };
+  if (s.least && number < static_cast<T>(*s.least)) refuse(" of at least " + std::to_string(*s.least));
+  if (s.above && !(static_cast<float>(number) > *s.above)) refuse(" above " + float_text(*s.above));
+  if (s.most && static_cast<float>(number) > *s.most) refuse(" of at most " + float_text(*s.most));
   return number;
 }
 

@@ -1,0 +1,18 @@
+#include "lambert/image/tonemap/agx.h"
+
+namespace lambert::tone {
+
+SigmoidSide SigmoidSide::to(float straight, float rise, float power) {
+  // straight (1 + (straight/s)^p)^(-1/p) = rise, solved for s.
+  const float beyond = std::max(straight / rise, 1.001f);
+  return {.scale = beyond * rise / std::pow(std::pow(beyond, power) - 1, 1 / power), .power = power};
+}
+
+Matrix3d Agx::inset_matrix(double amount) {
+  Primaries wide = rec709;
+  for (Vec2d* primary : {&wide.red, &wide.green, &wide.blue})
+    *primary = rec709.white + (*primary - rec709.white) / (1 - amount);
+  return rgb_to_rgb(rec709, wide);
+}
+
+}  // namespace lambert::tone
