@@ -18,6 +18,7 @@ std::function<int()> add_render(CLI::App& app);
 std::function<int()> add_info(CLI::App& app);
 std::function<int()> add_methods(CLI::App& app);
 std::function<int()> add_polygon(CLI::App& app);
+std::function<int()> add_denoise(CLI::App& app);
 std::function<int()> add_completion(CLI::App& app);
 
 }  // namespace lambert::cli

@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
   add("info", "Say what is in a scene", cli::add_info);
   add("methods", "List the methods of rendering and their settings", cli::add_methods);
   add("polygon", "Algorithms of the plane on files of polygons", cli::add_polygon);
+  add("denoise", "Remove the noise of a rendered image", cli::add_denoise);
   add("completion", "Print a completion script for a shell", cli::add_completion);
 
   if (argc < 2) {

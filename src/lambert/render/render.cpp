@@ -155,6 +155,8 @@ RenderResult render(const Scene& scene, const Camera& camera, Method& method, co
     throw Error("a target error needs at least 2 samples per pixel, to judge by their difference");
   const PixelRect crop = checked_crop(settings, camera.resolution);
   Film film(camera.resolution, crop, settings.aovs);
+  if (settings.time_limit_seconds == 0)
+    film.split_halves_at(static_cast<std::uint32_t>(settings.samples_per_pixel) / 2);
   const FilterSampler filter(settings.filter);
   method.prepare(scene);
 

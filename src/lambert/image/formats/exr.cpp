@@ -70,9 +70,10 @@ std::vector<std::string> ordered_channels(const Imf::ChannelList& list) {
 /// What is too large for a half is its largest number; infinities and NaN stay what they are.
 half to_half(float v) { return half(std::isfinite(v) ? std::clamp(v, -65504.0f, 65504.0f) : v); }
 
-/// Positions, depths, ids, counts and variances need all digits of a float; colours do not.
+/// Positions, depths, ids, counts, variances and what is compared with them need all digits of a float; colours do
+/// not.
 Imf::PixelType stored_type(const std::string& channel) {
-  static constexpr const char* precise[] = {"position.", ".id", "samples.", "variance.", "Crypto"};
+  static constexpr const char* precise[] = {"position.", ".id", "samples.", "variance.", "Crypto", "denoising."};
   const bool is_precise = channel == "Z" || std::any_of(std::begin(precise), std::end(precise), [&](const char* part) {
                             return channel.find(part) != std::string::npos;
                           });
