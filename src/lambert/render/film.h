@@ -74,6 +74,12 @@ class Film {
   /// first: they take turns. Halves of a sequence of well-distributed points should be well distributed themselves.
   void split_halves_at(std::uint32_t count) { first_half_ = count; }
 
+  /// The means of the guide's emission in both halves; needs the layer `denoising`.
+  std::array<Rgb, 2> emission(Vec2i pixel) const;
+  bool keeps_denoising() const { return !denoising_.empty(); }
+  /// One more sample of the guide's emission alone. Thread-safety is that of add().
+  void add_emission(Vec2i pixel, std::size_t half, Rgb emission, float weight);
+
   /// Not thread-safe for one pixel; different pixels may be added to from different threads.
   void add(Vec2i pixel, const FilmSample& sample);
   std::uint32_t sample_count(Vec2i pixel) const { return pixels_[index(pixel)].count; }
@@ -108,18 +114,22 @@ class Film {
     float depth = 0;
     std::uint32_t hits = 0, object = 0;
   };
-  /// Sums over one half of a pixel's samples: radiance without the guide's emission, then the guide.
-  struct HalfSums {
-    static constexpr std::size_t values = 13;
-    std::array<double, values> weighted{};
-    std::array<float, values> unweighted{};
+  /// Weighted sums of N numbers a sample.
+  template <std::size_t N>
+  struct Sums {
+    std::array<double, N> weighted{};
+    std::array<float, N> unweighted{};
     double weight = 0;
     std::uint32_t count = 0;
-    void add(const HalfSums& other);
+    void add(const Sums& other);
+    void add(const std::array<float, N>& values, float weight);
+    /// By the weights where they do not cancel, as in Pixel.
+    std::array<double, N> mean() const;
   };
   struct DenoisingSums {
-    std::array<HalfSums, 2> halves;
-    std::array<double, 3> squared{};  // of weighted samples of the first three values
+    std::array<Sums<10>, 2> halves;   // radiance without the guide's emission, then albedo, normal, distance
+    std::array<Sums<3>, 2> emission;  // as many samples, or more
+    std::array<double, 3> squared{};  // weighted samples of the first three of `halves`
   };
   static Rgb mean_of(const Pixel& p);
   static void add_denoising(DenoisingSums& to, const FilmSample& sample, std::size_t half);

@@ -167,6 +167,7 @@ RenderResult render(const Scene& scene, const Camera& camera, Method& method, co
   film = settings.target_error > 0
              ? render_adaptive(context, film, settings, run, statistics.first_sample_seconds)
              : render_uniform(context, std::move(film), settings, run, statistics.first_sample_seconds);
+  if (film.keeps_denoising()) refine_emission(context, film, [&] { return run.keep_going_without_limit(); });
   run.report(true);
   statistics.seconds = run.elapsed();
   statistics.samples = run.samples, statistics.rays = run.rays;

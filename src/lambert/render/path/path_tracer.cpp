@@ -52,7 +52,8 @@ class PathTracer {
         cone_(camera_ray.cone),
         first_dimension_(sampler.dimension()) {}
 
-  Method::Estimate trace(bool want_features) {
+  Method::Estimate trace(PathGoal goal) {
+    const bool want_features = goal != PathGoal::radiance;
     guiding_ = want_features;
     for (depth_ = 0;; ++depth_) {
       Hit hit;
@@ -69,6 +70,7 @@ class PathTracer {
       const Vertex v = prepare(point, hit.t);
       if (want_features && depth_ == 0) record_features(v, hit.t);
       if (guiding_) record_guide(v, hit.t);
+      if (goal == PathGoal::guide && !guiding_) break;
       if (depth_ == settings_.max_depth) break;
       if (!v.bsdf.is_specular()) add_direct_light(v);
       if (!scatter(v, hit.t) || !survives_roulette()) break;
@@ -298,8 +300,8 @@ class PathTracer {
 }  // namespace
 
 Method::Estimate trace_path(const Scene& scene, const PathSettings& settings, const CameraRay& camera_ray,
-                            Sampler& sampler, bool want_features) {
-  return PathTracer(scene, settings, camera_ray, sampler).trace(want_features);
+                            Sampler& sampler, PathGoal goal) {
+  return PathTracer(scene, settings, camera_ray, sampler).trace(goal);
 }
 
 }  // namespace lambert
