@@ -45,7 +45,7 @@ void filter_row(const Axes& axes, const std::array<PaddedPlane, 3>& colour, cons
   for (std::size_t c = 0; c < 3; ++c)
     for (int x = 0; x < width; ++x) {
       const auto i = static_cast<std::size_t>(x);
-      result[c].at(x, y) += 0.5f * sums[c][i] / sums[3][i];
+      result[c].at(x, y) = sums[c][i] / sums[3][i];
     }
 }
 
@@ -54,11 +54,9 @@ float curve(float v) { return std::copysign(std::log1p(std::abs(v)), v); }
 
 }  // namespace
 
-Colour denoise_bilateral(const NoisyImage& image, const BilateralSettings& settings) {
-  const std::vector<Guide> guides = filter_guides(image.guides, 5);
-  const Colour albedo = modulation(guides, image.width, image.height);
-  const float unit = brightness_unit(image, albedo);
-  const int pad = settings.window_radius;
+std::array<Colour, 2> bilateral_halves(const std::array<Colour, 2>& halves, const std::vector<Guide>& guides,
+                                       const BilateralSettings& settings) {
+  const int width = halves[0][0].width(), height = halves[0][0].height(), pad = settings.window_radius;
   Axes guide_axes;
   for (const Guide& guide : guides) {
     const float sigma = guide.kind == GuideKind::albedo   ? settings.albedo
@@ -70,28 +68,36 @@ Colour denoise_bilateral(const NoisyImage& image, const BilateralSettings& setti
       guide_axes.emplace_back(scaled, pad);
     }
   }
-  Colour result = black(image.width, image.height);
+  std::array<Colour, 2> filtered{black(width, height), black(width, height)};
   for (std::size_t half = 0; half < 2; ++half) {
     Axes axes = guide_axes;
     std::array<PaddedPlane, 3> colour;
     for (std::size_t c = 0; c < 3; ++c) {
-      Plane light = image.halves[half][c], seen = image.halves[1 - half][c];
-      for (std::size_t i = 0; i < light.values().size(); ++i) {
-        const float factor = 1 / (unit * albedo[c].values()[i]);
-        light.values()[i] *= factor;
-        seen.values()[i] = curve(seen.values()[i] * factor);
-      }
+      Plane seen = halves[1 - half][c];
+      for (float& v : seen.values()) v = curve(v);
       // One pixel's colour at this noise says little: the mean of its neighbours says more.
       seen = box_mean(seen, 1);
       for (float& v : seen.values()) v *= half_inverse(settings.colour);
       axes.emplace_back(seen, pad);
-      colour[c] = PaddedPlane(light, pad);
+      colour[c] = PaddedPlane(halves[half][c], pad);
     }
-    parallel_for(static_cast<std::size_t>(image.height),
-                 [&](std::size_t y) { filter_row(axes, colour, settings, static_cast<int>(y), image.height, result); });
+    parallel_for(static_cast<std::size_t>(height), [&](std::size_t y) {
+      filter_row(axes, colour, settings, static_cast<int>(y), height, filtered[half]);
+    });
   }
+  return filtered;
+}
+
+Colour denoise_bilateral(const NoisyImage& image, const BilateralSettings& settings) {
+  const std::vector<Guide> guides = filter_guides(image.guides, 5);
+  const Colour albedo = modulation(guides, image.width, image.height);
+  const float unit = brightness_unit(image, albedo);
+  const std::array<Colour, 2> filtered = bilateral_halves(demodulated(image.halves, albedo, unit), guides, settings);
+  Colour result = black(image.width, image.height);
   for (std::size_t c = 0; c < 3; ++c)
-    for (std::size_t i = 0; i < result[c].values().size(); ++i) result[c].values()[i] *= unit * albedo[c].values()[i];
+    for (std::size_t i = 0; i < result[c].values().size(); ++i)
+      result[c].values()[i] =
+          0.5f * (filtered[0][c].values()[i] + filtered[1][c].values()[i]) * (unit * albedo[c].values()[i]);
   add_filtered_emission(result, image);
   return result;
 }

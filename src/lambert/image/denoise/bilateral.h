@@ -5,13 +5,18 @@ namespace lambert::denoise {
 
 struct BilateralSettings {
   int window_radius = 8;  ///< pixels
-  float place = 6;        ///< standard deviation in pixels
-  float colour = 1;       ///< of colours, relative to the noise and the brightness of the pixel
-  float albedo = 0.1f, normal = 0.2f, depth = 0.1f;  ///< depth in units of the mean depth
+  float place = 4;        ///< standard deviation in pixels
+  float colour = 0.4f;    ///< of colours, relative to the noise and the brightness of the pixel
+  float albedo = 0.2f, normal = 0.3f, depth = 0.15f;  ///< depth in units of the mean depth
 };
 
 /// The joint (cross) bilateral filter (Petschnigg et al. 2004; Eisemann and Durand 2004): weights fall with the
 /// distance in the picture, in colour and in each guide. Each half is weighed by the other; their mean.
 Colour denoise_bilateral(const NoisyImage& image, const BilateralSettings& settings = {});
+
+/// The two filtered halves of `image`, whose colour has been divided by `albedo` times `unit` (see guide_filter.h), as
+/// they are after that division and without emission; `guides` are filtered ones.
+std::array<Colour, 2> bilateral_halves(const std::array<Colour, 2>& halves, const std::vector<Guide>& guides,
+                                       const BilateralSettings& settings);
 
 }  // namespace lambert::denoise

@@ -44,6 +44,14 @@ Colour modulation(const std::vector<Guide>& filtered, int width, int height) {
   return albedo;
 }
 
+std::array<Colour, 2> demodulated(const std::array<Colour, 2>& halves, const Colour& albedo, float unit) {
+  std::array<Colour, 2> result = halves;
+  for (Colour& half : result)
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < half[c].values().size(); ++i) half[c].values()[i] /= unit * albedo[c].values()[i];
+  return result;
+}
+
 void add_filtered_emission(Colour& to, const NoisyImage& image) {
   if (std::all_of(image.emission.begin(), image.emission.end(), is_zero)) return;
   const bool exact = std::all_of(image.emission_variance.begin(), image.emission_variance.end(), is_zero);

@@ -13,6 +13,9 @@ std::vector<Guide> filter_guides(const std::vector<Guide>& guides, int window_ra
 /// is none. `filtered` is what filter_guides() made of `guides`.
 Colour modulation(const std::vector<Guide>& filtered, int width, int height);
 
+/// The halves divided by `albedo` times `unit`.
+std::array<Colour, 2> demodulated(const std::array<Colour, 2>& halves, const Colour& albedo, float unit);
+
 /// Adds the emission to a filtered picture, itself filtered by non-local means.
 void add_filtered_emission(Colour& to, const NoisyImage& image);
 

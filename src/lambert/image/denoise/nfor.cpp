@@ -9,6 +9,9 @@
 namespace lambert::denoise {
 namespace {
 
+/// Those of the regression, and the cross-bilateral filter.
+constexpr std::size_t choices = candidate_count + 1;
+
 /// The error of the mean of two filtered halves up to what is the same for all candidates, relative to the brightness.
 Plane error_of(const std::array<Colour, 2>& filtered, const std::array<Colour, 2>& halves) {
   const auto& [fa, fb] = filtered;
@@ -27,13 +30,19 @@ Plane error_of(const std::array<Colour, 2>& filtered, const std::array<Colour, 2
   return error;
 }
 
-/// How much of candidate 1 each pixel takes, from 0 to 1.
-Plane choose(const std::array<Plane, 2>& error, int radius) {
-  Plane gain = error[0];
-  for (std::size_t i = 0; i < gain.values().size(); ++i) gain.values()[i] -= error[1].values()[i];
-  Plane share = box_mean(gain, radius);
-  for (float& v : share.values()) v = v > 0 ? 1.0f : 0.0f;
-  return box_mean(share, radius);
+/// How much of each candidate a pixel takes; they sum to 1.
+std::array<Plane, choices> choose(std::array<Plane, choices> error, int radius) {
+  for (Plane& e : error) e = box_mean(e, radius);
+  std::array<Plane, choices> share;
+  share.fill(Plane(error[0].width(), error[0].height()));
+  for (std::size_t i = 0; i < error[0].values().size(); ++i) {
+    std::size_t best = 0;
+    for (std::size_t k = 1; k < choices; ++k)
+      if (error[k].values()[i] < error[best].values()[i]) best = k;
+    share[best].values()[i] = 1;
+  }
+  for (Plane& s : share) s = box_mean(s, radius);
+  return share;
 }
 
 }  // namespace
@@ -44,34 +53,35 @@ Colour denoise_nfor(const NoisyImage& image, const NforSettings& settings) {
   for (const Guide& guide : guides) features.insert(features.end(), guide.mean.begin(), guide.mean.end());
 
   const Colour albedo = modulation(guides, image.width, image.height);
-  std::array<Colour, 2> halves = image.halves;
-  Colour variance = image.variance;
   const float unit = brightness_unit(image, albedo);
+  const std::array<Colour, 2> halves = demodulated(image.halves, albedo, unit);
+  Colour variance = image.variance;
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t i = 0; i < variance[c].values().size(); ++i) {
       const float factor = 1 / (unit * albedo[c].values()[i]);
-      halves[0][c].values()[i] *= factor, halves[1][c].values()[i] *= factor;
       variance[c].values()[i] *= 2 * factor * factor;  // of one half
     }
 
   std::array<Candidates, 2> by_half;
   for (std::size_t half = 0; half < 2; ++half)
     by_half[half] = regress(halves[half], halves[1 - half], variance, features, settings.regression);
-  std::array<std::array<Colour, 2>, 2> filtered;
-  std::array<Plane, 2> error;
-  for (std::size_t k = 0; k < 2; ++k) {
-    filtered[k] = {by_half[0][k], by_half[1][k]};
+  std::array<std::array<Colour, 2>, choices> filtered;
+  std::array<Plane, choices> error;
+  for (std::size_t k = 0; k < choices; ++k) {
+    if (k < candidate_count)
+      filtered[k] = {by_half[0][k], by_half[1][k]};
+    else
+      filtered[k] = bilateral_halves(halves, guides, settings.bilateral);
     error[k] = error_of(filtered[k], halves);
   }
-  const Plane share = choose(error, settings.selection_radius);
+  const std::array<Plane, choices> share = choose(error, settings.selection_radius);
   Colour result = black(image.width, image.height);
   for (std::size_t c = 0; c < 3; ++c)
-    for (std::size_t i = 0; i < share.values().size(); ++i) {
-      const float s = share.values()[i];
-      const auto mean = [&](std::size_t k) {
-        return 0.5f * (filtered[k][0][c].values()[i] + filtered[k][1][c].values()[i]);
-      };
-      result[c].values()[i] = ((1 - s) * mean(0) + s * mean(1)) * albedo[c].values()[i] * unit;
+    for (std::size_t i = 0; i < result[c].values().size(); ++i) {
+      float sum = 0;
+      for (std::size_t k = 0; k < choices; ++k)
+        sum += share[k].values()[i] * 0.5f * (filtered[k][0][c].values()[i] + filtered[k][1][c].values()[i]);
+      result[c].values()[i] = sum * albedo[c].values()[i] * unit;
     }
   add_filtered_emission(result, image);
   return result;

@@ -39,7 +39,7 @@ struct GatherSettings {
   bool use_guides = true;
   /// A pixel of one half is at most this times the brightest of what stands around it, the outliers among those left
   /// out, or what the other half says; 0: off.
-  float firefly = 3;
+  float firefly = 5;
 };
 
 /// Colour: R, G, B, or Y, or the layers "Noisy Image" or "Combined". Halves and variances: those of `lambert render

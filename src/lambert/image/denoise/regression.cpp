@@ -15,7 +15,6 @@ namespace {
 using Lanes = float __attribute__((vector_size(32)));
 constexpr int lane_count = 8, stride = 2, side = tile_size / stride, groups = side / lane_count;
 constexpr int most_features = 7, most_unknowns = 1 + 2 + most_features, most_radius = 10;
-constexpr std::size_t candidate_count = 2;
 
 /// Of the pixel itself beside what the windows say of it: where it is like none of their centres, it stays as it is.
 constexpr float own_weight = 0.02f;
@@ -94,8 +93,9 @@ struct Told {
 /// What a thread needs for one tile.
 class TileRegression {
  public:
-  TileRegression(const RegressionSettings& settings, std::size_t features)
-      : settings_(settings), features_(features), first_feature_(settings.place ? 3 : 1) {
+  /// No prediction is below `least`.
+  TileRegression(const RegressionSettings& settings, std::size_t features, float least)
+      : settings_(settings), features_(features), first_feature_(settings.place ? 3 : 1), least_(all(least)) {
     const auto across = static_cast<std::size_t>(2 * settings.window_radius + 1);
     weights_.resize(across * across * side * side);
   }
@@ -132,7 +132,7 @@ class TileRegression {
       const std::size_t offset = static_cast<std::size_t>((dy + radius) * across + s);
       const Lanes w = load(weights_.data() + offset * side * side + j * side + group * lane_count);
       w_[0][s] = w;
-      w_[1][s] = (w * w) * (w * w);
+      w_[1][s] = (w * w) * (w * w);  // e^(-d² / k²) for k = 1/2
       f_[0][s] = all(1);
       if (settings_.place) {
         f_[1][s] = all(static_cast<float>(dx) / static_cast<float>(radius));
@@ -190,7 +190,7 @@ class TileRegression {
         for (std::size_t c = 0; c < 3; ++c) value[c] += e.y[i][c] * f_[i][s];
       for (std::size_t c = 0; c < 3; ++c) {
         float* to = told.colour[c].at(at, y);
-        store(to, load(to) + w * value[c]);
+        store(to, load(to) + w * (value[c] > least_ ? value[c] : least_));
       }
       float* to = told.weight.at(at, y);
       store(to, load(to) + w);
@@ -199,6 +199,7 @@ class TileRegression {
 
   const RegressionSettings& settings_;
   std::size_t features_, first_feature_;
+  Lanes least_;
   std::vector<float> weights_;
   std::array<TilePlane, 3> colour_;
   std::array<TilePlane, most_features> feature_;
@@ -236,6 +237,11 @@ Candidates regress(const Colour& colour, const Colour& guide, const Colour& vari
   std::array<Sums, candidate_count> sums;
   for (Sums& s : sums) s = {black(width, height), Plane(width, height)};
 
+  // Slopes may lead below zero, where light never is.
+  float least = 0;
+  for (const Plane& plane : colour)
+    least = std::min(least, *std::min_element(plane.values().begin(), plane.values().end()));
+
   // Windows reach into the neighbouring tiles: of every 2x2 tiles one at a time, so that no two tiles that are worked
   // on touch the same pixel and each pixel's sum has one order.
   const int columns = (width + tile_size - 1) / tile_size, rows = (height + tile_size - 1) / tile_size;
@@ -246,7 +252,7 @@ Candidates regress(const Colour& colour, const Colour& guide, const Colour& vari
       const int column = first_column + 2 * (static_cast<int>(i) % across);
       const int row = first_row + 2 * (static_cast<int>(i) / across);
       const Tile tile{column * tile_size, row * tile_size};
-      const auto work = std::make_unique<TileRegression>(settings, features.size());
+      const auto work = std::make_unique<TileRegression>(settings, features.size(), least);
       work->run(tile, patches, colours, guides);
       for (std::size_t k = 0; k < candidate_count; ++k) add(sums[k], work->told(k), tile, radius);
     });

@@ -16,14 +16,15 @@
 namespace lambert::denoise {
 
 struct RegressionSettings {
-  int window_radius = 9;
+  int window_radius = 6;
   int patch_radius = 3;
-  float ridge = 1e-3f;  ///< squared change of a feature that is not worth a slope
+  float ridge = 3e-4f;  ///< squared change of a feature that is not worth a slope
   bool place = true;    ///< x and y are features
 };
 
 /// The results for the kernel widths k = 1 and k = 1/2.
-using Candidates = std::array<Colour, 2>;
+constexpr std::size_t candidate_count = 2;
+using Candidates = std::array<Colour, candidate_count>;
 
 /// Filters `colour` by the patches of `guide` (whose noise has `variance`) and `features`, of which there may be none.
 Candidates regress(const Colour& colour, const Colour& guide, const Colour& variance, std::span<const Plane> features,
