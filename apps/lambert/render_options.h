@@ -30,7 +30,7 @@ struct RenderOptions {
   float exposure = 0;
   std::string tonemap = "linear";
   std::string progress, stats;
-  bool quiet = false, verbose = false;
+  bool quiet = false, verbose = false, denoise = false;
 };
 
 void add_render_options(CLI::App& app, RenderOptions& options);

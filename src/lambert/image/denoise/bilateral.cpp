@@ -52,8 +52,6 @@ void filter_row(const Axes& axes, const std::array<PaddedPlane, 3>& colour, cons
 /// A curve on which equal steps are equal multiples of the noise, relative for bright pixels.
 float curve(float v) { return std::copysign(std::log1p(std::abs(v)), v); }
 
-}  // namespace
-
 std::array<Colour, 2> bilateral_halves(const std::array<Colour, 2>& halves, const std::vector<Guide>& guides,
                                        const BilateralSettings& settings) {
   const int width = halves[0][0].width(), height = halves[0][0].height(), pad = settings.window_radius;
@@ -87,6 +85,8 @@ std::array<Colour, 2> bilateral_halves(const std::array<Colour, 2>& halves, cons
   }
   return filtered;
 }
+
+}  // namespace
 
 Colour denoise_bilateral(const NoisyImage& image, const BilateralSettings& settings) {
   const std::vector<Guide> guides = filter_guides(image.guides, 5);

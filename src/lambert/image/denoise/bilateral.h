@@ -14,9 +14,4 @@ struct BilateralSettings {
 /// distance in the picture, in colour and in each guide. Each half is weighed by the other; their mean.
 Colour denoise_bilateral(const NoisyImage& image, const BilateralSettings& settings = {});
 
-/// The two filtered halves of `image`, whose colour has been divided by `albedo` times `unit` (see guide_filter.h), as
-/// they are after that division and without emission; `guides` are filtered ones.
-std::array<Colour, 2> bilateral_halves(const std::array<Colour, 2>& halves, const std::vector<Guide>& guides,
-                                       const BilateralSettings& settings);
-
 }  // namespace lambert::denoise

@@ -9,9 +9,6 @@
 namespace lambert::denoise {
 namespace {
 
-/// Those of the regression, and the cross-bilateral filter.
-constexpr std::size_t choices = candidate_count + 1;
-
 /// The error of the mean of two filtered halves up to what is the same for all candidates, relative to the brightness.
 Plane error_of(const std::array<Colour, 2>& filtered, const std::array<Colour, 2>& halves) {
   const auto& [fa, fb] = filtered;
@@ -31,13 +28,13 @@ Plane error_of(const std::array<Colour, 2>& filtered, const std::array<Colour, 2
 }
 
 /// How much of each candidate a pixel takes; they sum to 1.
-std::array<Plane, choices> choose(std::array<Plane, choices> error, int radius) {
+std::array<Plane, candidate_count> choose(std::array<Plane, candidate_count> error, int radius) {
   for (Plane& e : error) e = box_mean(e, radius);
-  std::array<Plane, choices> share;
+  std::array<Plane, candidate_count> share;
   share.fill(Plane(error[0].width(), error[0].height()));
   for (std::size_t i = 0; i < error[0].values().size(); ++i) {
     std::size_t best = 0;
-    for (std::size_t k = 1; k < choices; ++k)
+    for (std::size_t k = 1; k < candidate_count; ++k)
       if (error[k].values()[i] < error[best].values()[i]) best = k;
     share[best].values()[i] = 1;
   }
@@ -65,21 +62,18 @@ Colour denoise_nfor(const NoisyImage& image, const NforSettings& settings) {
   std::array<Candidates, 2> by_half;
   for (std::size_t half = 0; half < 2; ++half)
     by_half[half] = regress(halves[half], halves[1 - half], variance, features, settings.regression);
-  std::array<std::array<Colour, 2>, choices> filtered;
-  std::array<Plane, choices> error;
-  for (std::size_t k = 0; k < choices; ++k) {
-    if (k < candidate_count)
-      filtered[k] = {by_half[0][k], by_half[1][k]};
-    else
-      filtered[k] = bilateral_halves(halves, guides, settings.bilateral);
+  std::array<std::array<Colour, 2>, candidate_count> filtered;
+  std::array<Plane, candidate_count> error;
+  for (std::size_t k = 0; k < candidate_count; ++k) {
+    filtered[k] = {by_half[0][k], by_half[1][k]};
     error[k] = error_of(filtered[k], halves);
   }
-  const std::array<Plane, choices> share = choose(error, settings.selection_radius);
+  const std::array<Plane, candidate_count> share = choose(error, settings.selection_radius);
   Colour result = black(image.width, image.height);
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t i = 0; i < result[c].values().size(); ++i) {
       float sum = 0;
-      for (std::size_t k = 0; k < choices; ++k)
+      for (std::size_t k = 0; k < candidate_count; ++k)
         sum += share[k].values()[i] * 0.5f * (filtered[k][0][c].values()[i] + filtered[k][1][c].values()[i]);
       result[c].values()[i] = sum * albedo[c].values()[i] * unit;
     }
