@@ -5,7 +5,7 @@
 
 namespace lambert::denoise {
 
-/// e^-x for x >= 0, to a relative error of 3e-7; x above 87, infinity too, counts as 87. Loops over it vectorise.
+/// e^-x for x >= 0, to a relative error of 5e-5; x above 87, infinity too, counts as 87. Loops over it vectorise.
 inline float exp_of_minus(float x) {
   const float t = std::min(x, 87.0f) * -1.44269504f;
   const auto whole = static_cast<std::int32_t>(t);  // towards zero
