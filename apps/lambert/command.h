@@ -25,6 +25,7 @@ std::function<int()> add_compare(CLI::App& app);
 std::function<int()> add_hdr(CLI::App& app);
 std::function<int()> add_probe(CLI::App& app);
 std::function<int()> add_composite(CLI::App& app);
+std::function<int()> add_denoise(CLI::App& app);
 std::function<int()> add_completion(CLI::App& app);
 
 }  // namespace lambert::cli

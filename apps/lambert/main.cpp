@@ -69,6 +69,7 @@ int run(int argc, char** argv) {
   add("hdr", "Radiance from photographs of different exposure, and back", cli::add_hdr);
   add("probe", "Environments: layouts, assembly, irradiance, lights", cli::add_probe);
   add("composite", "Put pictures together by an expression", cli::add_composite);
+  add("denoise", "Remove the noise of a rendered image", cli::add_denoise);
   add("completion", "Print a completion script for a shell", cli::add_completion);
 
   if (argc < 2) {

@@ -8,6 +8,7 @@
 #include "lambert/base/file.h"
 #include "lambert/base/log.h"
 #include "lambert/base/parallel.h"
+#include "lambert/image/denoise/denoise.h"
 #include "lambert/image/io.h"
 
 #include <fmt/format.h>
@@ -68,6 +69,7 @@ bool write_outputs(const std::vector<std::string>& paths, const RenderOptions& o
   image.metadata["method"] = options.method;
   image.metadata["seed"] = std::to_string(settings.seed);
   image.metadata["samples"] = std::to_string(film.total_samples() / film.crop().area());
+  if (options.denoise) image = denoise_image(image);
   bool all = true;
   for (const std::string& path : paths)
     all &= written([&] {
@@ -147,6 +149,7 @@ std::function<int()> add_render(CLI::App& app) {
       "  lambert render kitchen.glb -o k.exr -o k.png --time-limit 60\n"
       "  lambert render box.pbrt --spp 256 --aov albedo,normal,depth -o box.exr\n"
       "  lambert render box.pbrt --target-error 0.02 --spp 4096\n"
+      "  lambert render kitchen.glb --spp 16 --denoise\n"
       "  lambert render --set max-depth=8 --filter box");
   return [] { return run(options); };
 }

@@ -104,6 +104,7 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
       ->capture_default_str();
   app.add_option("--tonemap", o.tonemap, "For display formats: " + joined(tone_operator_names()))
       ->capture_default_str();
+  app.add_flag("--denoise", o.denoise, "Remove the noise that is left (see 'lambert denoise'); biased");
   app.add_option("--progress", o.progress, "tty, ndjson or none; by default a bar if standard error is a terminal");
   app.add_option("--stats", o.stats, "Write times, counts and rates as JSON")->type_name("FILE");
   app.add_flag("--quiet", o.quiet, "Say nothing but errors");
@@ -161,6 +162,7 @@ RenderSettings render_settings(const RenderOptions& o, const SceneFileSettings& 
     else
       add_once(aov(name));
   }
+  if (o.denoise) add_once(Aov::denoising);
   s.pass_size = o.pass_size;
   return s;
 }

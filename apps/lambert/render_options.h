@@ -29,7 +29,7 @@ struct RenderOptions {
   int pass_size = 0;
   std::string exposure = "0", tonemap = "linear";
   std::string progress, stats;
-  bool quiet = false, verbose = false;
+  bool quiet = false, verbose = false, denoise = false;
 };
 
 void add_render_options(CLI::App& app, RenderOptions& options);

@@ -38,7 +38,7 @@ std::vector<ColourTriple> colour_triples(const std::vector<std::string>& names) 
 }
 
 bool needs_full_floats(std::string_view channel) {
-  static constexpr std::string_view parts[] = {"position.", ".id", "samples.", "variance.", "Crypto"};
+  static constexpr std::string_view parts[] = {"position.", ".id", "samples.", "variance.", "Crypto", "denoising."};
   if (channel == "Z" || channel == "ZBack" || lower(channel).find("depth") != std::string::npos) return true;
   return std::ranges::any_of(parts, [&](std::string_view p) { return channel.find(p) != std::string_view::npos; });
 }

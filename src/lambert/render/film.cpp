@@ -18,8 +18,8 @@ struct AovDescription {
   bool needs_features;
 };
 
-const std::array<AovDescription, 7>& aov_table() {
-  static const std::array<AovDescription, 7> table{{
+const std::array<AovDescription, 8>& aov_table() {
+  static const std::array<AovDescription, 8> table{{
       {Aov::albedo, "albedo", {"albedo.R", "albedo.G", "albedo.B"}, true},
       {Aov::normal, "normal", {"normal.X", "normal.Y", "normal.Z"}, true},
       {Aov::depth, "depth", {"Z"}, true},
@@ -27,6 +27,17 @@ const std::array<AovDescription, 7>& aov_table() {
       {Aov::object_id, "object-id", {"object.id"}, true},
       {Aov::sample_count, "sample-count", {"samples.count"}, false},
       {Aov::variance, "variance", {"variance.Y"}, false},
+      {Aov::denoising,
+       "denoising",
+       {"denoising.a.R",          "denoising.a.G",          "denoising.a.B",          "denoising.a.emission.R",
+        "denoising.a.emission.G", "denoising.a.emission.B", "denoising.a.albedo.R",   "denoising.a.albedo.G",
+        "denoising.a.albedo.B",   "denoising.a.normal.X",   "denoising.a.normal.Y",   "denoising.a.normal.Z",
+        "denoising.a.depth.Z",    "denoising.b.R",          "denoising.b.G",          "denoising.b.B",
+        "denoising.b.emission.R", "denoising.b.emission.G", "denoising.b.emission.B", "denoising.b.albedo.R",
+        "denoising.b.albedo.G",   "denoising.b.albedo.B",   "denoising.b.normal.X",   "denoising.b.normal.Y",
+        "denoising.b.normal.Z",   "denoising.b.depth.Z",    "denoising.variance.R",   "denoising.variance.G",
+        "denoising.variance.B"},
+       true},
   }};
   return table;
 }
@@ -54,6 +65,7 @@ Film::Film(Vec2i resolution, const PixelRect& crop, std::vector<Aov> aovs)
     : resolution_(resolution), crop_(crop), aovs_(std::move(aovs)), pixels_(crop.area()) {
   if (std::any_of(aovs_.begin(), aovs_.end(), [](Aov a) { return describe(a).needs_features; }))
     features_.resize(crop.area());
+  if (std::find(aovs_.begin(), aovs_.end(), Aov::denoising) != aovs_.end()) denoising_.resize(crop.area());
 }
 
 void Film::add(Vec2i pixel, const FilmSample& sample) {
@@ -69,6 +81,10 @@ void Film::add(Vec2i pixel, const FilmSample& sample) {
   p.unweighted += sample.radiance;
   ++p.count;
 
+  if (!denoising_.empty()) {
+    const bool first = first_half_ > 0 ? p.count <= first_half_ : p.count % 2 == 1;
+    add_denoising(denoising_[index(pixel)], sample, first ? 0 : 1);
+  }
   if (features_.empty() || sample.features.object == 0) return;
   FeatureSums& f = features_[index(pixel)];
   f.albedo += sample.features.albedo;
@@ -78,8 +94,9 @@ void Film::add(Vec2i pixel, const FilmSample& sample) {
   if (f.hits++ == 0) f.object = sample.features.object;
 }
 
-Rgb Film::mean(Vec2i pixel) const {
-  const Pixel& p = pixels_[index(pixel)];
+Rgb Film::mean(Vec2i pixel) const { return mean_of(pixels_[index(pixel)]); }
+
+Rgb Film::mean_of(const Pixel& p) {
   if (p.count == 0) return {};
   if (!p.has_weight()) return p.unweighted / static_cast<float>(p.count);
   return {static_cast<float>(p.r / p.weight), static_cast<float>(p.g / p.weight), static_cast<float>(p.b / p.weight)};
@@ -122,6 +139,8 @@ Film Film::average(const Film& a, const Film& b) {
     film.features_[i] = {fa.albedo + fb.albedo, fa.normal + fb.normal, fa.position + fb.position,
                          fa.depth + fb.depth,   fa.hits + fb.hits,     fa.hits ? fa.object : fb.object};
   }
+  for (std::size_t i = 0; i < film.denoising_.size(); ++i)
+    film.denoising_[i] = average_denoising(a.denoising_[i], b.denoising_[i]);
   return film;
 }
 
@@ -156,7 +175,7 @@ Image Film::develop() const {
     for (int x = crop_.min.x; x < crop_.max.x; ++x) image.set_rgb(x - crop_.min.x, y - crop_.min.y, mean({x, y}));
   std::size_t channel = 3;
   for (Aov a : aovs_) {
-    write_layer(image, a, channel);
+    a == Aov::denoising ? write_denoising(image, channel) : write_layer(image, a, channel);
     channel += describe(a).channels.size();
   }
   return image;

@@ -3,6 +3,8 @@
 #include "lambert/base/vec.h"
 #include "lambert/image/image.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -19,9 +21,26 @@ struct PixelRect {
 };
 
 /// What a film keeps beside radiance.
-enum class Aov : std::uint8_t { albedo, normal, depth, position, object_id, sample_count, variance };
+enum class Aov : std::uint8_t {
+  albedo,
+  normal,
+  depth,
+  position,
+  object_id,
+  sample_count,
+  variance,
+  denoising  ///< what image/denoise wants: colour and guides of two halves of the samples, and the colour's variance
+};
 Aov aov(std::string_view name);  ///< throws Error for an unknown name
 std::vector<std::string> aov_names();
+
+/// What a denoiser is guided by: the first surface that scatters diffusely or glossily, seen through mirrors and panes.
+struct Guide {
+  Rgb emission;  ///< the part of the sample's radiance that lamps and sky send here without any such surface
+  Rgb albedo;    ///< times what mirrors and glass on the way let through; black in the sky
+  Vec3 normal{0};
+  float distance = 0;  ///< along the path; 0 in the sky
+};
 
 /// The first surface that a camera ray meets.
 struct Features {
@@ -30,6 +49,7 @@ struct Features {
   Vec3 position{0};
   float depth = 0;           ///< along the camera's axis; 0 where nothing is hit
   std::uint32_t object = 0;  ///< 1 + index of the object; 0 where nothing is hit
+  Guide guide;
 };
 
 /// One sample of one pixel, with the weight of the pixel filter.
@@ -50,6 +70,16 @@ class Film {
   const PixelRect& crop() const { return crop_; }
   bool keeps_features() const { return !features_.empty(); }
 
+  /// Of the halves of `denoising`: the first `count` samples of a pixel are one, what follows the other; 0, as it is at
+  /// first: they take turns. Halves of a sequence of well-distributed points should be well distributed themselves.
+  void split_halves_at(std::uint32_t count) { first_half_ = count; }
+
+  /// The means of the guide's emission in both halves; needs the layer `denoising`.
+  std::array<Rgb, 2> emission(Vec2i pixel) const;
+  bool keeps_denoising() const { return !denoising_.empty(); }
+  /// One more sample of the guide's emission alone. Thread-safety is that of add().
+  void add_emission(Vec2i pixel, std::size_t half, Rgb emission, float weight);
+
   /// Not thread-safe for one pixel; different pixels may be added to from different threads.
   void add(Vec2i pixel, const FilmSample& sample);
   std::uint32_t sample_count(Vec2i pixel) const { return pixels_[index(pixel)].count; }
@@ -63,7 +93,8 @@ class Film {
   /// nothing.
   static Film average(const Film& a, const Film& b);
 
-  /// R, G, B and the layers asked for, cropped; black where nothing was sampled.
+  /// R, G, B and the layers asked for, cropped; black where nothing was sampled. The variance of `denoising` is
+  /// infinite where there are fewer than 2 samples.
   Image develop() const;
 
  private:
@@ -83,6 +114,28 @@ class Film {
     float depth = 0;
     std::uint32_t hits = 0, object = 0;
   };
+  /// Weighted sums of N numbers a sample.
+  template <std::size_t N>
+  struct Sums {
+    std::array<double, N> weighted{};
+    std::array<float, N> unweighted{};
+    double weight = 0;
+    std::uint32_t count = 0;
+    void add(const Sums& other);
+    void add(const std::array<float, N>& values, float weight);
+    /// By the weights where they do not cancel, as in Pixel.
+    std::array<double, N> mean() const;
+  };
+  struct DenoisingSums {
+    std::array<Sums<10>, 2> halves;   // radiance without the guide's emission, then albedo, normal, distance
+    std::array<Sums<3>, 2> emission;  // as many samples, or more
+    std::array<double, 3> squared{};  // weighted samples of the first three of `halves`
+  };
+  static Rgb mean_of(const Pixel& p);
+  static void add_denoising(DenoisingSums& to, const FilmSample& sample, std::size_t half);
+  static DenoisingSums average_denoising(const DenoisingSums& a, const DenoisingSums& b);
+  void write_denoising(Image& image, std::size_t first_channel) const;
+
   std::size_t index(Vec2i p) const {
     const auto width = static_cast<std::size_t>(crop_.size().x);
     return static_cast<std::size_t>(p.y - crop_.min.y) * width + static_cast<std::size_t>(p.x - crop_.min.x);
@@ -94,6 +147,8 @@ class Film {
   std::vector<Aov> aovs_;
   std::vector<Pixel> pixels_;
   std::vector<FeatureSums> features_;
+  std::vector<DenoisingSums> denoising_;
+  std::uint32_t first_half_ = 0;
 };
 
 }  // namespace lambert

@@ -38,6 +38,8 @@ class Method {
   };
   /// One sample of the radiance that arrives along a camera ray. Deterministic in its arguments.
   virtual Estimate radiance(const CameraRay& ray, Sampler& sampler, bool want_features) const = 0;
+  /// The same sample as far as its guide goes; its radiance says nothing. Cheaper where a method can stop there.
+  virtual Estimate guide(const CameraRay& ray, Sampler& sampler) const { return radiance(ray, sampler, true); }
 };
 
 /// Throws Error for an unknown name.

@@ -155,6 +155,8 @@ RenderResult render(const Scene& scene, const Camera& camera, Method& method, co
     throw Error("a target error needs at least 2 samples per pixel, to judge by their difference");
   const PixelRect crop = checked_crop(settings, camera.resolution);
   Film film(camera.resolution, crop, settings.aovs);
+  if (settings.time_limit_seconds == 0)
+    film.split_halves_at(static_cast<std::uint32_t>(settings.samples_per_pixel) / 2);
   const FilterSampler filter(settings.filter);
   method.prepare(scene);
 
@@ -165,6 +167,7 @@ RenderResult render(const Scene& scene, const Camera& camera, Method& method, co
   film = settings.target_error > 0
              ? render_adaptive(context, film, settings, run, statistics.first_sample_seconds)
              : render_uniform(context, std::move(film), settings, run, statistics.first_sample_seconds);
+  if (film.keeps_denoising()) refine_emission(context, film, [&] { return run.keep_going_without_limit(); });
   run.report(true);
   statistics.seconds = run.elapsed();
   statistics.samples = run.samples, statistics.rays = run.rays;

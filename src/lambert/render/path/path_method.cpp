@@ -30,7 +30,12 @@ SettingTable PathMethod::settings() {
 }
 
 Method::Estimate PathMethod::radiance(const CameraRay& ray, Sampler& sampler, bool want_features) const {
-  return trace_path(*scene_, settings_, ray, sampler, want_features);
+  return trace_path(*scene_, settings_, ray, sampler,
+                    want_features ? PathGoal::radiance_and_features : PathGoal::radiance);
+}
+
+Method::Estimate PathMethod::guide(const CameraRay& ray, Sampler& sampler) const {
+  return trace_path(*scene_, settings_, ray, sampler, PathGoal::guide);
 }
 
 }  // namespace lambert

@@ -11,6 +11,7 @@ class PathMethod final : public Method {
   SettingTable settings() override;
   void prepare(const Scene& scene) override { scene_ = &scene; }
   Estimate radiance(const CameraRay& ray, Sampler& sampler, bool want_features) const override;
+  Estimate guide(const CameraRay& ray, Sampler& sampler) const override;
 
  private:
   PathSettings settings_;

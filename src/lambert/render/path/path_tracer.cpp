@@ -26,7 +26,8 @@ enum EventDimension : std::uint32_t {
   dimensions_per_event,
 };
 
-constexpr int long_path = 16;  // scattering events
+constexpr int long_path = 16;           // scattering events
+constexpr int most_guide_mirrors = 16;  // mirrors and panes through which a denoiser's guide is sought
 
 /// A surface point made ready for scattering.
 struct Vertex {
@@ -51,11 +52,14 @@ class PathTracer {
         cone_(camera_ray.cone),
         first_dimension_(sampler.dimension()) {}
 
-  Method::Estimate trace(bool want_features) {
+  Method::Estimate trace(PathGoal goal) {
+    const bool want_features = goal != PathGoal::radiance;
+    guiding_ = want_features;
     for (depth_ = 0;; ++depth_) {
       Hit hit;
       ++result_.rays;
       if (!scene_.intersect(ray_, hit)) {
+        if (guiding_) leave_guide_in_the_sky();
         add_environment();
         break;
       }
@@ -65,6 +69,8 @@ class PathTracer {
       if (depth_ == settings_.max_depth && !(want_features && depth_ == 0)) break;
       const Vertex v = prepare(point, hit.t);
       if (want_features && depth_ == 0) record_features(v, hit.t);
+      if (guiding_) record_guide(v, hit.t);
+      if (goal == PathGoal::guide && !guiding_) break;
       if (depth_ == settings_.max_depth) break;
       if (!v.bsdf.is_specular()) add_direct_light(v);
       if (!scatter(v, hit.t) || !survives_roulette()) break;
@@ -85,10 +91,13 @@ class PathTracer {
       if (largest > settings_.clamp) contribution *= settings_.clamp / largest;
     }
     result_.radiance += contribution;
+    if (guiding_) result_.features.guide.emission += contribution;
   }
 
   void absorb(Rgb sigma, float distance) {
-    if (!is_black(sigma)) throughput_ *= exp(sigma * -distance);
+    if (is_black(sigma)) return;
+    const Rgb passed = exp(sigma * -distance);
+    throughput_ *= passed, guide_throughput_ *= passed;
   }
 
   bool found_only_by_scattering() const { return depth_ == 0 || specular_; }
@@ -153,6 +162,20 @@ class PathTracer {
     f.position = v.point.position;
     f.depth = distance;
     f.object = v.point.object + 1;
+  }
+
+  /// Of a mirror too, in case the path ends there; what is seen in it replaces it.
+  void record_guide(const Vertex& v, float distance) {
+    Guide& g = result_.features.guide;
+    g.albedo = guide_throughput_ * v.bsdf.albedo(v.frame.to_local(v.wo));
+    g.normal = v.frame.n;
+    g.distance += distance;
+    guiding_ = v.bsdf.is_specular() && depth_ < most_guide_mirrors;
+  }
+
+  void leave_guide_in_the_sky() {
+    Guide& g = result_.features.guide;
+    g = {.emission = g.emission};
   }
 
   void add_direct_light(const Vertex& v) {
@@ -220,6 +243,7 @@ class PathTracer {
     const auto sample = v.bsdf.sample(v.frame.to_local(v.wo), u_lobe, u);
     if (!sample) return false;
     throughput_ *= sample->weight;
+    if (guiding_) guide_throughput_ *= sample->weight;
     if (is_black(throughput_)) return false;
     pdf_omega_ = sample->pdf;
     specular_ = sample->specular;
@@ -259,6 +283,8 @@ class PathTracer {
   int depth_ = 0;
 
   Rgb throughput_{1.0f};
+  Rgb guide_throughput_{1.0f};  // of mirrors and glass alone, without roulette and colours of wavelengths
+  bool guiding_ = false;        // the guide is not found yet
   float eta_scale_ = 1;
   Bodies bodies_;
   float wavelength_ = 0;  // 0 until dispersion is met
@@ -274,8 +300,8 @@ class PathTracer {
 }  // namespace
 
 Method::Estimate trace_path(const Scene& scene, const PathSettings& settings, const CameraRay& camera_ray,
-                            Sampler& sampler, bool want_features) {
-  return PathTracer(scene, settings, camera_ray, sampler).trace(want_features);
+                            Sampler& sampler, PathGoal goal) {
+  return PathTracer(scene, settings, camera_ray, sampler).trace(goal);
 }
 
 }  // namespace lambert

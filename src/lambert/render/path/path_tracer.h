@@ -11,9 +11,14 @@
 #include "lambert/render/method.h"
 #include "lambert/render/path/path_settings.h"
 
+#include <cstdint>
+
 namespace lambert {
 
+/// What a path is traced for; `guide` ends where the guide is found.
+enum class PathGoal : std::uint8_t { radiance, radiance_and_features, guide };
+
 Method::Estimate trace_path(const Scene& scene, const PathSettings& settings, const CameraRay& camera_ray,
-                            Sampler& sampler, bool want_features);
+                            Sampler& sampler, PathGoal goal);
 
 }  // namespace lambert

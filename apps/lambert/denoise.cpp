@@ -1,0 +1,92 @@
+#include "command.h"
+#include "number_range.h"
+
+#include "lambert/base/error.h"
+#include "lambert/base/file.h"
+#include "lambert/base/parallel.h"
+#include "lambert/image/denoise/denoise.h"
+#include "lambert/image/io.h"
+#include "lambert/image/tonemap.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lambert::cli {
+namespace {
+
+struct DenoiseOptions {
+  std::string input;
+  std::vector<std::string> outputs;
+  std::string method = "auto", library;
+  float firefly = denoise::GatherSettings{}.firefly;
+  bool no_guides = false;
+  std::size_t threads = 0;
+  float exposure = 0;
+  std::string tonemap = "linear";
+};
+
+int run(const DenoiseOptions& o) {
+  DenoiseSettings settings{.method = denoise_method(o.method), .oidn_library = o.library};
+  settings.input.use_guides = !o.no_guides;
+  settings.input.firefly = o.firefly;
+  const ToneSettings tone{tone_operator(o.tonemap), o.exposure};
+  for (const std::string& path : o.outputs) {
+    is_radiance_format(path);
+    check_writable(path);
+  }
+  set_thread_count(o.threads);
+  const Image noisy = read_image(o.input);
+  Image image;
+  try {
+    image = denoise_image(noisy, settings);
+  } catch (const Error& e) {
+    throw Error(o.input + ": " + e.what());
+  }
+  for (const std::string& path : o.outputs) {
+    write_image(path, is_radiance_format(path) ? image : tonemap(image, tone));
+    fmt::print("{}\n", std::filesystem::absolute(path).lexically_normal().string());
+  }
+  return done;
+}
+
+}  // namespace
+
+std::function<int()> add_denoise(CLI::App& app) {
+  static DenoiseOptions o;
+  app.add_option("input", o.input, "Rendered image, best with the layers of 'lambert render --aov denoising'")
+      ->type_name("FILE")
+      ->required();
+  app.add_option("-o,--output", o.outputs,
+                 fmt::format("Image to write, several allowed: {}", fmt::join(image_extensions(), ", ")))
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->required();
+  app.add_option("--method", o.method, fmt::format("{}", fmt::join(denoise_method_names(), ", ")))
+      ->capture_default_str();
+  app.add_flag("--no-guides", o.no_guides, "Use colour alone (nfor, nlm, bilateral)");
+  expect_number(
+      app.add_option("--firefly", o.firefly,
+                     "A pixel is at most this times the brightest around it, outliers apart; 0: leave fireflies")
+          ->capture_default_str(),
+      {.expected = "a number, 0 or more"});
+  app.add_option("--oidn-library", o.library, "Open Image Denoise, if it is not where the system looks")
+      ->type_name("FILE");
+  expect_number(app.add_option("--threads", o.threads, "0: all cores")->capture_default_str(),
+                {.expected = "a whole number from 0 to 4096", .below = 4097});
+  expect_number(app.add_option("--exposure", o.exposure, "Stops, for display formats")->capture_default_str(),
+                {.expected = "a number of stops between -100 and 100", .low = -100, .below = 100});
+  app.add_option("--tonemap", o.tonemap, fmt::format("For display formats: {}", fmt::join(tone_operator_names(), ", ")))
+      ->capture_default_str();
+  app.footer(
+      "Examples:\n"
+      "  lambert render box.pbrt --spp 16 --aov denoising -o noisy.exr\n"
+      "  lambert denoise noisy.exr -o clean.exr -o clean.png\n"
+      "  lambert denoise photo.png -o clean.png          colour alone, noise as measured");
+  return [] { return run(o); };
+}
+
+}  // namespace lambert::cli

@@ -1,0 +1,271 @@
+#include "lambert/image/denoise/regression.h"
+
+#include "lambert/base/parallel.h"
+#include "lambert/image/denoise/patch_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+namespace lambert::denoise {
+namespace {
+
+/// Eight pixels that are worked on together.
+using Lanes = float __attribute__((vector_size(32)));
+constexpr int lane_count = 8, stride = 2, side = tile_size / stride, groups = side / lane_count;
+constexpr int most_features = 7, most_unknowns = 1 + 2 + most_features, most_radius = 10;
+
+/// Of the pixel itself beside what the windows say of it: where it is like none of their centres, it stays as it is.
+constexpr float own_weight = 0.02f;
+
+Lanes load(const float* from) {
+  Lanes v;
+  std::memcpy(&v, from, sizeof v);
+  return v;
+}
+void store(float* to, Lanes v) { std::memcpy(to, &v, sizeof v); }
+Lanes all(float v) { return Lanes{v, v, v, v, v, v, v, v}; }
+
+/// A tile and what its windows reach, with even and odd columns apart, so that every second pixel is one load.
+class TilePlane {
+ public:
+  static constexpr int reach = tile_size + 2 * most_radius, half_row = reach / 2 + lane_count;
+  /// The row of pixels tile.y + y, for columns of the parity of tile.x + x: element i is pixel tile.x + x + 2 i.
+  float* at(int x, int y) {
+    const int column = x + most_radius;
+    return values_.data() + ((y + most_radius) * 2 + (column & 1)) * half_row + (column >> 1);
+  }
+  void fill(const PaddedPlane& plane, Tile tile, int radius) {
+    for (int y = -radius; y < tile_size + radius; ++y)
+      for (int x = -radius; x < tile_size + radius; ++x) *at(x, y) = plane.row(tile.y + y)[tile.x + x];
+  }
+  void clear() { values_.fill(0); }
+
+ private:
+  std::array<float, static_cast<std::size_t>(reach * 2 * half_row)> values_;
+};
+
+/// The normal equations of eight windows: the lower triangle of Σ w f fᵀ, and Σ w f yᵀ.
+struct Equations {
+  std::array<std::array<Lanes, most_unknowns>, most_unknowns> m;
+  std::array<std::array<Lanes, 3>, most_unknowns> y;
+};
+
+/// Solves in place by Cholesky's decomposition; the solution is in `y`. The ridge makes the matrix definite.
+void solve(Equations& e, std::size_t unknowns, float ridge) {
+  const Lanes penalty = e.m[0][0] * ridge + 1e-20f;
+  for (std::size_t i = 0; i < unknowns; ++i) {
+    if (i > 0) e.m[i][i] += penalty;
+    for (std::size_t j = 0; j <= i; ++j) {
+      Lanes sum = e.m[i][j];
+      for (std::size_t k = 0; k < j; ++k) sum -= e.m[i][k] * e.m[j][k];
+      if (i != j) {
+        e.m[i][j] = sum * e.m[j][j];
+        continue;
+      }
+      // Kept as 1 / sqrt. Rounding may leave nothing, or less: then the feature says no more than those before it.
+      for (int lane = 0; lane < lane_count; ++lane)
+        sum[lane] = 1 / std::sqrt(std::max(sum[lane], i == 0 ? 1e-20f : penalty[lane]));
+      e.m[i][i] = sum;
+    }
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      Lanes sum = e.y[i][c];
+      for (std::size_t k = 0; k < i; ++k) sum -= e.m[i][k] * e.y[k][c];
+      e.y[i][c] = sum * e.m[i][i];
+    }
+    for (std::size_t i = unknowns; i-- > 0;) {
+      Lanes sum = e.y[i][c];
+      for (std::size_t k = i + 1; k < unknowns; ++k) sum -= e.m[k][i] * e.y[k][c];
+      e.y[i][c] = sum * e.m[i][i];
+    }
+  }
+}
+
+/// Sums of weighted predictions, and of weights.
+struct Told {
+  std::array<TilePlane, 3> colour;
+  TilePlane weight;
+};
+
+/// What a thread needs for one tile.
+class TileRegression {
+ public:
+  /// No prediction is below `least`.
+  TileRegression(const RegressionSettings& settings, std::size_t features, float least)
+      : settings_(settings), features_(features), first_feature_(settings.place ? 3 : 1), least_(all(least)) {
+    const auto across = static_cast<std::size_t>(2 * settings.window_radius + 1);
+    weights_.resize(across * across * side * side);
+  }
+
+  void run(Tile tile, const PatchGuide& guide, std::span<const PaddedPlane> colour,
+           std::span<const PaddedPlane> features) {
+    const int radius = settings_.window_radius;
+    TileWeights by_patches(guide, tile, stride, settings_.patch_radius, 1);
+    float* to = weights_.data();
+    for (int dy = -radius; dy <= radius; ++dy)
+      for (int dx = -radius; dx <= radius; ++dx, to += side * side) std::copy_n(by_patches.at(dx, dy), side * side, to);
+    for (std::size_t c = 0; c < 3; ++c) colour_[c].fill(colour[c], tile, radius);
+    for (std::size_t f = 0; f < features_; ++f) feature_[f].fill(features[f], tile, radius);
+    for (Told& t : told_) {
+      for (TilePlane& plane : t.colour) plane.clear();
+      t.weight.clear();
+    }
+    for (int j = 0; j < side; ++j)
+      for (int group = 0; group < groups; ++group) window(j, group);
+  }
+
+  Told& told(std::size_t candidate) { return told_[candidate]; }
+
+ private:
+  static constexpr int most_across = 2 * most_radius + 1;
+  std::size_t unknowns() const { return first_feature_ + features_; }
+
+  /// Features and weights of the eight windows' partners in one row.
+  void gather_row(int j, int group, int dy, const std::array<Lanes, most_features>& centre) {
+    const int radius = settings_.window_radius, x = group * lane_count * stride, y = j * stride + dy;
+    const int across = 2 * radius + 1;
+    for (int s = 0; s < across; ++s) {
+      const int dx = s - radius;
+      const std::size_t offset = static_cast<std::size_t>((dy + radius) * across + s);
+      const Lanes w = load(weights_.data() + offset * side * side + j * side + group * lane_count);
+      w_[0][s] = w;
+      w_[1][s] = (w * w) * (w * w);  // e^(-d² / k²) for k = 1/2
+      f_[0][s] = all(1);
+      if (settings_.place) {
+        f_[1][s] = all(static_cast<float>(dx) / static_cast<float>(radius));
+        f_[2][s] = all(static_cast<float>(dy) / static_cast<float>(radius));
+      }
+      for (std::size_t f = 0; f < features_; ++f)
+        f_[first_feature_ + f][s] = load(feature_[f].at(x + dx, y)) - centre[f];
+    }
+  }
+
+  void window(int j, int group) {
+    const int radius = settings_.window_radius, across = 2 * radius + 1, x = group * lane_count * stride;
+    std::array<Lanes, most_features> centre;
+    for (std::size_t f = 0; f < features_; ++f) centre[f] = load(feature_[f].at(x, j * stride));
+    std::memset(static_cast<void*>(&equations_), 0, sizeof equations_);
+    for (int dy = -radius; dy <= radius; ++dy) {
+      gather_row(j, group, dy, centre);
+      const int y = j * stride + dy;
+      for (std::size_t c = 0; c < 3; ++c)
+        for (int s = 0; s < across; ++s) y_[c][s] = load(colour_[c].at(x + s - radius, y));
+      for (std::size_t k = 0; k < candidate_count; ++k) accumulate(equations_[k], w_[k], across);
+    }
+    for (Equations& e : equations_) solve(e, unknowns(), settings_.ridge);
+    for (int dy = -radius; dy <= radius; ++dy) {
+      gather_row(j, group, dy, centre);
+      for (std::size_t k = 0; k < candidate_count; ++k) predict(k, x, j * stride + dy, across);
+    }
+  }
+
+  void accumulate(Equations& e, const std::array<Lanes, most_across>& w, int across) {
+    for (std::size_t i = 0; i < unknowns(); ++i) {
+      std::array<Lanes, most_across> wf;
+      for (int s = 0; s < across; ++s) wf[static_cast<std::size_t>(s)] = w[static_cast<std::size_t>(s)] * f_[i][s];
+      for (std::size_t k = 0; k <= i; ++k) {
+        Lanes sum = e.m[i][k];
+        for (int s = 0; s < across; ++s) sum += wf[static_cast<std::size_t>(s)] * f_[k][s];
+        e.m[i][k] = sum;
+      }
+      for (std::size_t c = 0; c < 3; ++c) {
+        Lanes sum = e.y[i][c];
+        for (int s = 0; s < across; ++s) sum += wf[static_cast<std::size_t>(s)] * y_[c][s];
+        e.y[i][c] = sum;
+      }
+    }
+  }
+
+  void predict(std::size_t candidate, int x, int y, int across) {
+    const Equations& e = equations_[candidate];
+    Told& told = told_[candidate];
+    for (int s = 0; s < across; ++s) {
+      const Lanes w = w_[candidate][static_cast<std::size_t>(s)];
+      const int at = x + s - settings_.window_radius;
+      std::array<Lanes, 3> value{e.y[0][0], e.y[0][1], e.y[0][2]};
+      for (std::size_t i = 1; i < unknowns(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) value[c] += e.y[i][c] * f_[i][s];
+      for (std::size_t c = 0; c < 3; ++c) {
+        float* to = told.colour[c].at(at, y);
+        store(to, load(to) + w * (value[c] > least_ ? value[c] : least_));
+      }
+      float* to = told.weight.at(at, y);
+      store(to, load(to) + w);
+    }
+  }
+
+  const RegressionSettings& settings_;
+  std::size_t features_, first_feature_;
+  Lanes least_;
+  std::vector<float> weights_;
+  std::array<TilePlane, 3> colour_;
+  std::array<TilePlane, most_features> feature_;
+  std::array<Told, candidate_count> told_;
+  std::array<Equations, candidate_count> equations_;
+  std::array<std::array<Lanes, most_across>, candidate_count> w_;
+  std::array<Lanes, most_across> f_[most_unknowns];
+  std::array<Lanes, most_across> y_[3];
+};
+
+/// Sums over the whole picture.
+struct Sums {
+  Colour colour;
+  Plane weight;
+};
+
+void add(Sums& to, Told& told, Tile tile, int radius) {
+  const int width = to.weight.width(), height = to.weight.height();
+  for (int y = std::max(-radius, -tile.y); y < std::min(tile_size + radius, height - tile.y); ++y)
+    for (int x = std::max(-radius, -tile.x); x < std::min(tile_size + radius, width - tile.x); ++x) {
+      for (std::size_t c = 0; c < 3; ++c) to.colour[c].at(tile.x + x, tile.y + y) += *told.colour[c].at(x, y);
+      to.weight.at(tile.x + x, tile.y + y) += *told.weight.at(x, y);
+    }
+}
+
+}  // namespace
+
+Candidates regress(const Colour& colour, const Colour& guide, const Colour& variance, std::span<const Plane> features,
+                   const RegressionSettings& settings) {
+  const int width = colour[0].width(), height = colour[0].height(), radius = settings.window_radius;
+  const PatchGuide patches(guide, variance, radius, settings.patch_radius);
+  std::vector<PaddedPlane> colours, guides;
+  for (const Plane& plane : colour) colours.emplace_back(plane, radius + tile_size);
+  for (const Plane& plane : features) guides.emplace_back(plane, radius + tile_size);
+  std::array<Sums, candidate_count> sums;
+  for (Sums& s : sums) s = {black(width, height), Plane(width, height)};
+
+  // Slopes may lead below zero, where light never is.
+  float least = 0;
+  for (const Plane& plane : colour)
+    least = std::min(least, *std::min_element(plane.values().begin(), plane.values().end()));
+
+  // Windows reach into the neighbouring tiles: of every 2x2 tiles one at a time, so that no two tiles that are worked
+  // on touch the same pixel and each pixel's sum has one order.
+  const int columns = (width + tile_size - 1) / tile_size, rows = (height + tile_size - 1) / tile_size;
+  for (int phase = 0; phase < 4; ++phase) {
+    const int first_column = phase % 2, first_row = phase / 2;
+    const int across = (columns - first_column + 1) / 2, down = (rows - first_row + 1) / 2;
+    parallel_for(static_cast<std::size_t>(across * down), [&](std::size_t i) {
+      const int column = first_column + 2 * (static_cast<int>(i) % across);
+      const int row = first_row + 2 * (static_cast<int>(i) / across);
+      const Tile tile{column * tile_size, row * tile_size};
+      const auto work = std::make_unique<TileRegression>(settings, features.size(), least);
+      work->run(tile, patches, colours, guides);
+      for (std::size_t k = 0; k < candidate_count; ++k) add(sums[k], work->told(k), tile, radius);
+    });
+  }
+  Candidates result;
+  for (std::size_t k = 0; k < candidate_count; ++k) {
+    result[k] = colour;
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < colour[c].values().size(); ++i)
+        result[k][c].values()[i] = (sums[k].colour[c].values()[i] + own_weight * colour[c].values()[i]) /
+                                   (sums[k].weight.values()[i] + own_weight);
+  }
+  return result;
+}
+
+}  // namespace lambert::denoise
