@@ -82,7 +82,7 @@ class Resize(Filters):
         self.noise("in.pfm", 97, 63)
         # Odd sizes, so that no edge of a box falls on a pixel's centre, where rounding decides.
         # Not smaller in x and larger in y: there it cuts kernels off in y, by the radius of x.
-        for size in ("41x27", "211x150", "131x31", "97x63"):
+        for size in ("41x27", "211x150", "131x31", "150x63"):
             for theirs, name in ours.items():
                 subprocess.run([OIIOTOOL, "in.pfm", f"--resize:filter={theirs}", size, "-d", "float", "-o", "theirs.exr"],
                                cwd=self.folder, check=True, capture_output=True)
