@@ -8,12 +8,13 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 scene=$here/../../../scenes/many-lights/many-lights.pbrt
-"$lambert" render "$scene" --quiet --resolution 480x270 --spp 256 -o map.exr >/dev/null
+"$lambert" render "$scene" --quiet --resolution 400x224 --spp 64 -o map.exr >/dev/null
 show() { "$lambert" hdr expose "$1" --time "$2" -o "$here/$3" >/dev/null; } # MAP TIME PICTURE: as sRGB shows it
 
 # The stack: photographs by a film camera, with noise, from the hand.
 camera=(--response film --full-well 20000 --read-noise 8)
-"$lambert" hdr expose map.exr --bracket -5..3:2 --time 1 "${camera[@]}" -o 'shot_{}.jpg' --list shots.txt >/dev/null
+"$lambert" hdr expose map.exr --bracket -5..3:2 --time 1 "${camera[@]}" -o 'shot_{}.png' --list shots.txt >/dev/null
+"$lambert" hdr expose map.exr --bracket -5..3:2 --time 1 "${camera[@]}" -o 'shot_{}.jpg' >/dev/null
 for i in 0 2 4; do cp "shot_0$i.jpg" "$here/shot-$i.jpg"; done
 "$lambert" hdr merge shots.txt -o merged.exr --plot "$here/response.svg" -q >/dev/null
 show merged.exr 0.06 merged-low.jpg
@@ -37,7 +38,7 @@ AttributeBegin
 AttributeEnd
 BALL
     sed '1,/^WorldBegin/d' "$scene"; } >"$(dirname "$scene")/.moment.pbrt"
-  "$lambert" render "$(dirname "$scene")/.moment.pbrt" --quiet --resolution 480x270 --spp 128 -o "moment$1.exr" >/dev/null
+  "$lambert" render "$(dirname "$scene")/.moment.pbrt" --quiet --resolution 400x224 --spp 48 -o "moment$1.exr" >/dev/null
   rm "$(dirname "$scene")/.moment.pbrt"
 }
 : >ghost.txt

@@ -49,7 +49,7 @@ std::optional<std::string> shortcoming(const ExposureStack& stack, const Samples
   if (saturated == all) return "everything is saturated";
   if (black == all) return "everything is black";
   return "only " + std::to_string(samples.count()) +
-         " pixels are neither black nor saturated in two photographs (32 are needed)";
+         " pixels with different codes are neither black nor saturated in two photographs (32 are needed)";
 }
 
 /// ln exposure at the knots to exposures at all codes: never falling, the top one 1.
