@@ -2,10 +2,10 @@
 
 namespace lambert::tone {
 
-SigmoidSide SigmoidSide::to(float straight, float rise, float power) {
+float sigmoid_scale(float straight, float rise, float power) {
   // straight (1 + (straight/s)^p)^(-1/p) = rise, solved for s.
   const float beyond = std::max(straight / rise, 1.001f);
-  return {.scale = beyond * rise / std::pow(std::pow(beyond, power) - 1, 1 / power), .power = power};
+  return beyond * rise / std::pow(std::pow(beyond, power) - 1, 1 / power);
 }
 
 Matrix3d Agx::inset_matrix(double amount) {

@@ -9,16 +9,9 @@
 
 namespace lambert::tone {
 
-/// One side of a sigmoid: from the pivot with a slope there towards an end, in between x/(1+x^p)^(1/p).
-struct SigmoidSide {
-  float scale = 1, power = 1;
-  /// Reaches `rise` where a straight line of the pivot's slope would be at `straight`. What is
-  /// not more than `rise` counts as a little more.
-  static SigmoidSide to(float straight, float rise, float power);
-  float operator()(float straight) const {
-    return straight * fast_pow(1 + fast_pow(at_least(straight / scale, 1e-10f), power), -1 / power);
-  }
-};
+/// One side of a sigmoid about its pivot is x/(1 + (x/scale)^p)^(1/p). The scale with which it comes to `rise` where a
+/// straight line of the pivot's slope would be at `straight`; what is not more than `rise` counts as a little more.
+float sigmoid_scale(float straight, float rise, float power);
 
 /// A display transform in the manner of Sobotka's AgX, made from its published description and not from its tables: the
 /// Rec. 709 primaries are drawn towards white, so that bright saturated colours mix channels and go to white instead
@@ -38,20 +31,22 @@ struct Agx {
             {"above", "stops above 0.18 that become white", &above, {}, 2, {}, 30.0f}};
   }
 
-  static constexpr float display_power = 2.2f;
+  static constexpr float display_power = 2.2f, power = 1.5f;
   auto colour_curve(const LuminanceMap&) const {
     const RgbMatrix in(inset_matrix(static_cast<double>(inset)));
     const RgbMatrix out(glm::inverse(inset_matrix(static_cast<double>(outset))));
     const float middle = std::log2(0.18f), range = below + above, pivot = below / range;
     const float level = std::pow(0.18f, 1 / display_power);
-    const auto toe = SigmoidSide::to(contrast * pivot, level, 1.5f);
-    const auto shoulder = SigmoidSide::to(contrast * (1 - pivot), 1 - level, 1.5f);
-    return [=, slope = contrast, least = middle - below, per_stop = 1 / range](Rgb c) {
-      const auto channel = [&](float v) {
+    const float toe = sigmoid_scale(contrast * pivot, level, power);
+    const float shoulder = sigmoid_scale(contrast * (1 - pivot), 1 - level, power);
+    return [ =, slope = contrast, least = middle - below, per_stop = 1 / range ](Rgb c) __attribute__((always_inline)) {
+      const auto channel = [&](float v) __attribute__((always_inline)) {
         const float stops = (fast_log2(at_least(v, 1e-30f)) - least) * per_stop;
         const float x = slope * (at_most(at_least(stops, 0.0f), 1.0f) - pivot);
-        const float up = shoulder(at_least(x, 0.0f)), down = toe(at_least(-x, 0.0f));
-        const float shown = fast_pow(at_least(level + up - down, 1e-6f), display_power);
+        // The sides share the power, so one formula with the scale of the side serves.
+        const float scale = chosen(x > 0, shoulder, toe), far = at_least(std::abs(x) / scale, 1e-10f);
+        const float code = level + x * fast_pow(1 + fast_pow(far, power), -1 / power);
+        const float shown = fast_pow(at_least(code, 1e-6f), display_power);
         return chosen(stops > 0, shown, 0.0f);
       };
       const Rgb v = in(c);

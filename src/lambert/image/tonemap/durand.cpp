@@ -22,6 +22,21 @@ std::pair<float, float> inner_range(const Plane& plane, float percent) {
   return {low, *(samples.end() - 1 - nth)};
 }
 
+/// Takes a smoothed base where under a twentieth of the most pixels support it, all of its own over a quarter.
+Plane certain(Filtered filtered) {
+  const Plane smooth = gaussian_blur(filtered.mean, 2);
+  for_rows(smooth.height, [&](int y) {
+    float* const base = filtered.mean.row(y).data();
+    const float* const other = smooth.row(y).data();
+    const float* const support = filtered.support.row(y).data();
+    for (std::size_t x = 0; x < static_cast<std::size_t>(smooth.width); ++x) {
+      const float own = at_most(at_least((support[x] - 0.05f) * 5, 0.0f), 1.0f);
+      base[x] = other[x] + own * (base[x] - other[x]);
+    }
+  });
+  return std::move(filtered.mean);
+}
+
 }  // namespace
 
 Plane Durand::map(const LuminanceMap& map) const {
@@ -31,7 +46,7 @@ Plane Durand::map(const LuminanceMap& map) const {
     for (float& v : decades.row(y)) v = fast_log10(v > floor ? v : floor);
   });
   const float larger = static_cast<float>(std::max(decades.width, decades.height));
-  const Plane base = bilateral_filter(decades, spatial * 0.01f * larger, range);
+  const Plane base = certain(bilateral_filter(decades, spatial * 0.01f * larger, range));
   const auto [low, high] = inner_range(base, clip);
   const float wanted = std::log10(contrast);
   // A base that is flatter already is left so.

@@ -48,7 +48,7 @@ LuminanceMap map_of(Plane plane) {
 TEST(Bilateral, IsTheSumOverAllPixels) {
   const float spatial = 6, range = 0.4f;
   const Plane plane = decades(48, 37);
-  const Plane fast = bilateral_filter(plane, spatial, range);
+  const Plane fast = bilateral_filter(plane, spatial, range).mean;
   double worst = 0;
   for (int y = 0; y < plane.height; ++y)
     for (int x = 0; x < plane.width; ++x) {
@@ -67,7 +67,7 @@ TEST(Bilateral, IsTheSumOverAllPixels) {
 
 TEST(Bilateral, LeavesWhatIsFlat) {
   const Plane flat(20, 9, 3.5f);
-  EXPECT_EQ(bilateral_filter(flat, 4, 0.4f).values, flat.values);
+  EXPECT_EQ(bilateral_filter(flat, 4, 0.4f).mean.values, flat.values);
 }
 
 TEST(Durand, CompressesTheBaseAndKeepsTheDetail) {
@@ -79,6 +79,18 @@ TEST(Durand, CompressesTheBaseAndKeepsTheDetail) {
   EXPECT_NEAR(shown.at(50, 30) / shown.at(51, 30), 1 / 1.1f, 1e-3f);
   EXPECT_NEAR(shown.at(150, 30) / shown.at(151, 30), 1 / 1.1f, 1e-3f);
   EXPECT_NEAR(shown.at(150, 30) / shown.at(50, 30), 5, 0.05f);
+}
+
+TEST(Durand, SoftEdgesOfLampsDoNotGlow) {
+  // A lamp 1000 times its surroundings, the edge half covered and less: nothing is brighter than both sides.
+  Plane plane(160, 90, 0.5f);
+  for (int y = 30; y < 60; ++y)
+    for (int x = 60; x < 90; ++x) plane.at(x, y) = 500;
+  for (int y = 30; y < 60; ++y) plane.at(59, y) = 500 * 0.02f, plane.at(90, y) = 500 * 0.1f;
+  const Plane shown = Durand{}.map(map_of(plane));
+  const float lamp = shown.at(75, 45);
+  EXPECT_LT(shown.at(59, 45), lamp);
+  EXPECT_LT(shown.at(90, 45), lamp * 1.05f);
 }
 
 /// Gauss-Seidel until nothing moves.
