@@ -1,6 +1,7 @@
 #include "command.h"
 #include "interrupt.h"
 #include "number_range.h"
+#include "print_path.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
@@ -96,7 +97,7 @@ int run(const Options& o) {
     bytes = std::max(bytes, report.bytes_in_bands);
     bands += report.bands;
     if (!o.quiet)
-      for (const auto& path : outputs) fmt::print("{}\n", std::filesystem::absolute(path).lexically_normal().string());
+      for (const auto& path : outputs) print_path(path);
   }
   if (!o.stats.empty()) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -1,12 +1,13 @@
 #include "command.h"
 #include "number_range.h"
+#include "print_path.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
 #include "lambert/base/parallel.h"
 #include "lambert/image/denoise/denoise.h"
 #include "lambert/image/io.h"
-#include "lambert/image/tonemap.h"
+#include "lambert/image/tonemap/tonemap.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -33,7 +34,7 @@ int run(const DenoiseOptions& o) {
   DenoiseSettings settings{.method = denoise_method(o.method), .oidn_library = o.library};
   settings.input.use_guides = !o.no_guides;
   settings.input.firefly = o.firefly;
-  const ToneSettings tone{tone_operator(o.tonemap), o.exposure};
+  const ToneSettings tone{.op = tone_operator(o.tonemap), .exposure = o.exposure};
   for (const std::string& path : o.outputs) {
     is_radiance_format(path);
     check_writable(path);
@@ -48,7 +49,7 @@ int run(const DenoiseOptions& o) {
   }
   for (const std::string& path : o.outputs) {
     write_image(path, is_radiance_format(path) ? image : tonemap(image, tone));
-    fmt::print("{}\n", std::filesystem::absolute(path).lexically_normal().string());
+    print_path(path);
   }
   return done;
 }

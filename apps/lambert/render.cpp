@@ -1,6 +1,7 @@
 #include "command.h"
 #include "interrupt.h"
 #include "load_scene.h"
+#include "print_path.h"
 #include "progress_report.h"
 #include "render_options.h"
 
@@ -74,7 +75,7 @@ bool write_outputs(const std::vector<std::string>& paths, const RenderOptions& o
   for (const std::string& path : paths)
     all &= written([&] {
       write_image(path, is_radiance_format(path) ? image : tonemap(image, tone_settings(options)));
-      fmt::print("{}\n", std::filesystem::absolute(path).lexically_normal().string());
+      print_path(path);
     });
   return all;
 }

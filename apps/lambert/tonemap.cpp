@@ -1,6 +1,7 @@
 #include "command.h"
 #include "exposure_flag.h"
 #include "number_range.h"
+#include "print_path.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
@@ -155,7 +156,7 @@ int run(const TonemapOptions& o) {
                           : mapped(inputs, o.operators.empty() ? tone::Photographic::name : o.operators.front(), o);
   for (const std::string& path : o.outputs) {
     write_image(path, shown);
-    fmt::print("{}\n", std::filesystem::absolute(path).lexically_normal().string());
+    print_path(path);
   }
   return done;
 }

@@ -2,6 +2,7 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../print_path.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
@@ -98,14 +99,14 @@ int run(const Options& o) {
       settings.turn = o.turn * random(2) * 0.017453292519943295;
     }
     write_photograph(path, hdr::expose(map, response, settings));
-    print_written(path);
+    print_path(path);
     list += std::filesystem::path(path).filename().string() + " ";
     append_number(list, static_cast<float>(settings.exposure));
     list += "\n";
   }
   if (!o.list.empty()) {
     write_atomically(o.list, list);
-    print_written(o.list);
+    print_path(o.list);
   }
   return done;
 }

@@ -164,6 +164,4 @@ double middle_noise(const hdr::CodeNoise& noise) {
   return static_cast<double>(most);
 }
 
-void print_written(const std::string& path) { fmt::print("{}\n", std::filesystem::absolute(path).string()); }
-
 }  // namespace lambert::cli

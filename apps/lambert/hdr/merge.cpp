@@ -3,6 +3,7 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../print_path.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
@@ -116,7 +117,7 @@ int run(const Options& o) {
     fmt::print("{}\n", facts.dump(2));
     return done;
   }
-  for (const std::string& path : written) print_written(path);
+  for (const std::string& path : written) print_path(path);
   return done;
 }
 

@@ -2,6 +2,7 @@
 #include "verb.h"
 
 #include "../command.h"
+#include "../print_path.h"
 
 #include "lambert/base/file.h"
 #include "lambert/base/log.h"
@@ -32,7 +33,7 @@ int run(const Options& o) {
     fmt::print("{}", csv);
   } else {
     write_atomically(o.output, csv);
-    print_written(o.output);
+    print_path(o.output);
   }
   return done;
 }

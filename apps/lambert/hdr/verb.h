@@ -42,9 +42,6 @@ hdr::Recovery response_for(const RecoveryOptions& o, const hdr::ExposureStack& s
 /// The noise at the middle code of the channel that has most.
 double middle_noise(const hdr::CodeNoise& noise);
 
-/// Prints the absolute path of a file that was written.
-void print_written(const std::string& path);
-
 std::function<int()> add_hdr_merge(CLI::App& app);
 std::function<int()> add_hdr_response(CLI::App& app);
 std::function<int()> add_hdr_expose(CLI::App& app);

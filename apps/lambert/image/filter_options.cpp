@@ -1,4 +1,5 @@
 #include "filter_options.h"
+#include "../print_path.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/number.h"
@@ -25,7 +26,7 @@ void add_edge_option(CLI::App& app, FilterOptions& o) {
 
 void write_and_print(const std::string& path, const Image& image) {
   write_image(path, image);
-  fmt::print("{}\n", std::filesystem::absolute(path).lexically_normal().string());
+  print_path(path);
 }
 
 void write_outputs(const FilterOptions& o, Image image) {

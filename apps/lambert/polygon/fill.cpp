@@ -1,6 +1,7 @@
 #include "places.h"
 
 #include "../command.h"
+#include "../print_path.h"
 
 #include "lambert/base/error.h"
 #include "lambert/image/colour.h"

@@ -1,4 +1,5 @@
 #include "mesh_output.h"
+#include "../print_path.h"
 
 #include "lambert/formats/write_mesh.h"
 

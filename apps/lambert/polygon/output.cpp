@@ -1,3 +1,4 @@
+#include "../print_path.h"
 #include "verb.h"
 
 #include "lambert/base/error.h"
@@ -30,8 +31,6 @@ std::vector<std::string> other_outputs(const PolygonOptions& o, std::vector<std:
     if (!path->empty()) pictures.push_back(*path);
   return others;
 }
-
-std::string absolute(const std::string& path) { return std::filesystem::absolute(path).lexically_normal().string(); }
 
 void write_pictures(const std::vector<std::string>& paths, const Picture& picture, const std::string& svg) {
   if (paths.empty()) return;
@@ -71,8 +70,6 @@ void add_fact_outputs(CLI::App& app, PolygonOptions& o) {
   app.add_flag("--json", o.json, "Print JSON");
   add_pictures(app, o);
 }
-
-void print_path(const std::string& path) { fmt::print("{}\n", absolute(path)); }
 
 void write_geometry(const PolygonOptions& o, FileFormat like, const Features& result, const Picture& picture) {
   std::vector<std::string> pictures;

@@ -50,8 +50,6 @@ void write_geometry(const PolygonOptions& o, polygon::FileFormat like, const pol
 /// Prints `text`, or `facts` with --json; -o may name a .json file or a picture.
 void write_facts(const PolygonOptions& o, const nlohmann::ordered_json& facts, const std::string& text,
                  const draw::Picture& picture);
-/// Prints the path of a file that was written.
-void print_path(const std::string& path);
 
 /// Name and members of `source`, but for those that its geometry made true ("bbox"): what is cut from it.
 polygon::Feature cut_from(const polygon::Feature& source);

@@ -4,6 +4,7 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../print_path.h"
 
 #include "lambert/base/error.h"
 #include "lambert/image/io.h"
@@ -45,7 +46,7 @@ int run(const Options& o) {
   if (o.circle.empty()) j["coverage"] = ball->coverage, j["residual"] = ball->residual;
   if (!o.output.empty()) {
     write_image(o.output, crop_ball(image, *ball, o.size));
-    print_written(o.output);
+    print_path(o.output);
   } else {
     fmt::print("{}\n", j.dump(2));
   }

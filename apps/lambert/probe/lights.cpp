@@ -2,6 +2,7 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../print_path.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
@@ -99,13 +100,13 @@ int run(const Options& o) {
   const std::string text = result.json.dump(2) + "\n";
   if (!o.pbrt.empty()) {
     write_atomically(o.pbrt, std::string_view(result.pbrt));
-    print_written(o.pbrt);
+    print_path(o.pbrt);
   }
   if (o.output.empty()) {
     fmt::print("{}", text);
   } else {
     write_atomically(o.output, std::string_view(text));
-    print_written(o.output);
+    print_path(o.output);
   }
   return done;
 }

@@ -1,6 +1,7 @@
 #include "verb.h"
 
 #include "../number_range.h"
+#include "../print_path.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"
@@ -128,8 +129,6 @@ Mat3 rotation_of(const RotationOptions& o) {
   return rotation(angle(o.yaw), angle(o.pitch), angle(o.roll));
 }
 
-void print_written(const std::string& path) { fmt::print("{}\n", std::filesystem::absolute(path).string()); }
-
 void write_probe(const std::string& file, const Probe& probe, Arrangement arrangement) {
   std::vector<Image> pictures = arranged(probe, arrangement);
   const std::vector<std::string> files = files_of(file);
@@ -141,7 +140,7 @@ void write_probe(const std::string& file, const Probe& probe, Arrangement arrang
       pictures[i].metadata["probe.layout"] =
           std::holds_alternative<Cube>(probe.projection) ? "openexr-cube" : "openexr-lat-long";
     write_image(files[i], pictures[i]);
-    print_written(files[i]);
+    print_path(files[i]);
   }
 }
 

@@ -55,7 +55,6 @@ Mat3 rotation_of(const RotationOptions& o);
 /// Writes the picture, or the six of `files`, and prints paths. Throws Error when "{}" stands in the name and should
 /// not, or the other way round.
 void write_probe(const std::string& file, const probe::Probe& probe, probe::Arrangement arrangement);
-void print_written(const std::string& path);
 nlohmann::ordered_json json_of(Vec3 v);
 nlohmann::ordered_json json_of(Rgb c);
 /// Three numbers, or one that stands for all three. Throws Error naming the flag.

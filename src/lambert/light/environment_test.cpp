@@ -87,8 +87,8 @@ TEST(EnvironmentMap, ChoosesRowThenColumn) {
   constexpr float pdf[2][2] = {{0.5f, 1.5f}, {0, 2}};
   for (int y = 0; y < 2; ++y) {
     for (int x = 0; x < 2; ++x) {
-      const Vec3 centre =
-          probe::equal_area_square_to_sphere({0.25f + 0.5f * static_cast<float>(x), 0.25f + 0.5f * static_cast<float>(y)});
+      const Vec3 centre = probe::equal_area_square_to_sphere(
+          {0.25f + 0.5f * static_cast<float>(x), 0.25f + 0.5f * static_cast<float>(y)});
       EXPECT_NEAR(map.pdf_omega(centre) * 4 * pi, pdf[y][x], 1e-4f) << x << y;
     }
   }

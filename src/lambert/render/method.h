@@ -1,8 +1,8 @@
 #pragma once
+#include "lambert/base/settings.h"
 #include "lambert/camera/camera.h"
 #include "lambert/image/filter/filter_sampler.h"
 #include "lambert/render/film.h"
-#include "lambert/base/settings.h"
 #include "lambert/sampling/sampler.h"
 #include "lambert/scene/scene.h"
 
