@@ -8,6 +8,17 @@
 #include <memory>
 
 namespace lambert::denoise {
+namespace {
+
+bool is_noisy(std::span<const Plane> variances, Tile tile) {
+  for (const Plane& plane : variances)
+    for (int y = tile.y; y < std::min(tile.y + tile_size, plane.height()); ++y)
+      for (int x = tile.x; x < std::min(tile.x + tile_size, plane.width()); ++x)
+        if (plane.at(x, y) > 0) return true;
+  return false;
+}
+
+}  // namespace
 
 std::vector<Plane> nl_means(std::span<const Plane> planes, std::span<const Plane> guides,
                             std::span<const Plane> variances, const NlmSettings& settings) {
@@ -15,10 +26,11 @@ std::vector<Plane> nl_means(std::span<const Plane> planes, std::span<const Plane
   const PatchGuide guide(guides, variances, radius, settings.patch_radius);
   std::vector<PaddedPlane> padded;
   for (const Plane& plane : planes) padded.emplace_back(plane, radius + tile_size);
-  std::vector<Plane> result(planes.size(), Plane(width, height));
+  std::vector<Plane> result(planes.begin(), planes.end());
   const std::vector<Tile> tiles = tiles_of(width, height);
   parallel_for(tiles.size(), [&](std::size_t i) {
     const Tile tile = tiles[i];
+    if (!is_noisy(variances, tile)) return;
     const auto weights =
         std::make_unique<TileWeights>(guide, tile, 1, settings.patch_radius, 1 / (settings.k * settings.k));
     constexpr std::size_t area = tile_size * tile_size;

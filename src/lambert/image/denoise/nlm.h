@@ -15,7 +15,8 @@ struct NlmSettings {
 };
 
 /// Filters `planes` by the likeness of the patches of `guides`, whose noise has `variances` (1 to 3 planes each, as
-/// many guides as variances). Returns as many planes as it was given.
+/// many guides as variances). Returns as many planes as it was given. Squares of tile_size pixels without any variance
+/// stay exactly as they are.
 std::vector<Plane> nl_means(std::span<const Plane> planes, std::span<const Plane> guides,
                             std::span<const Plane> variances, const NlmSettings& settings);
 

@@ -163,20 +163,24 @@ class TileRegression {
   }
 
   void accumulate(Equations& e, const std::array<Lanes, most_across>& w, int across) {
+    std::array<Lanes, most_across> wf;
     for (std::size_t i = 0; i < unknowns(); ++i) {
-      std::array<Lanes, most_across> wf;
       for (int s = 0; s < across; ++s) wf[static_cast<std::size_t>(s)] = w[static_cast<std::size_t>(s)] * f_[i][s];
-      for (std::size_t k = 0; k <= i; ++k) {
-        Lanes sum = e.m[i][k];
-        for (int s = 0; s < across; ++s) sum += wf[static_cast<std::size_t>(s)] * f_[k][s];
-        e.m[i][k] = sum;
-      }
-      for (std::size_t c = 0; c < 3; ++c) {
-        Lanes sum = e.y[i][c];
-        for (int s = 0; s < across; ++s) sum += wf[static_cast<std::size_t>(s)] * y_[c][s];
-        e.y[i][c] = sum;
-      }
+      std::size_t k = 0;
+      for (; k + 4 <= i + 1; k += 4) add_products<4>(&e.m[i][k], wf.data(), &f_[k], across);
+      for (; k <= i; ++k) add_products<1>(&e.m[i][k], wf.data(), &f_[k], across);
+      add_products<3>(e.y[i].data(), wf.data(), y_, across);
     }
+  }
+
+  /// sums[n] += a · b[n] for N vectors at once, whose chains of additions do not wait for each other.
+  template <int N>
+  static void add_products(Lanes* sums, const Lanes* a, const std::array<Lanes, most_across>* b, int count) {
+    std::array<Lanes, N> sum;
+    for (std::size_t n = 0; n < N; ++n) sum[n] = sums[n];
+    for (std::size_t s = 0; s < static_cast<std::size_t>(count); ++s)
+      for (std::size_t n = 0; n < N; ++n) sum[n] += a[s] * b[n][s];
+    for (std::size_t n = 0; n < N; ++n) sums[n] = sum[n];
   }
 
   void predict(std::size_t candidate, int x, int y, int across) {
