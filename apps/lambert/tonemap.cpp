@@ -106,10 +106,10 @@ Image montage_of(const std::vector<Image>& inputs, const std::vector<std::string
 }
 
 /// One image by one operator; several are a stack of exposures.
-Image mapped(const std::vector<Image>& inputs, const std::string& name, const TonemapOptions& o) {
+Image mapped(std::vector<Image> inputs, const std::string& name, const TonemapOptions& o) {
   ToneSettings settings = common_settings(o);
   settings.op = configured_operator(name, o.assignments);
-  if (inputs.size() == 1) return tonemap(inputs.front(), settings);
+  if (inputs.size() == 1) return tonemap(std::move(inputs.front()), settings);
   return tone::fuse_exposures(inputs, std::get<tone::Mertens>(settings.op));
 }
 
@@ -151,9 +151,9 @@ int run(const TonemapOptions& o) {
   check(o);
   std::vector<Image> inputs;
   for (const std::string& path : o.inputs) inputs.push_back(read_image(path));
-  const Image shown = o.montage
-                          ? montage_of(inputs, o.operators.empty() ? tone_operator_names() : o.operators, o)
-                          : mapped(inputs, o.operators.empty() ? tone::Photographic::name : o.operators.front(), o);
+  const Image shown =
+      o.montage ? montage_of(inputs, o.operators.empty() ? tone_operator_names() : o.operators, o)
+                : mapped(std::move(inputs), o.operators.empty() ? tone::Photographic::name : o.operators.front(), o);
   for (const std::string& path : o.outputs) {
     write_image(path, shown);
     print_path(path);

@@ -1,4 +1,4 @@
-// CPU seconds (of all threads, user and system) of one operator on a radiance map in memory:
+// CPU seconds, in place (of all threads, user and system) of one operator on a radiance map in memory:
 //   bench_tonemap MAP OPERATOR [key=value…]
 #include "lambert/image/io.h"
 #include "lambert/image/tonemap/tonemap.h"
@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -25,7 +26,7 @@ double cpu_seconds() {
 int main(int argc, char** argv) {
   using namespace lambert;
   if (argc < 3) return 2;
-  const Image map = read_image(argv[1]);
+  Image map = read_image(argv[1]);
   ToneSettings settings{.op = tone_operator(argv[2])};
   SettingTable table = tone_operator_settings(settings.op);
   for (int i = 3; i < argc; ++i) {
@@ -33,7 +34,7 @@ int main(int argc, char** argv) {
     table.set(word.substr(0, word.find('=')), word.substr(word.find('=') + 1));
   }
   const double before = cpu_seconds();
-  const Image shown = tonemap(map, settings);
+  const Image shown = tonemap(std::move(map), settings);
   fmt::print("{:.6f}\n", cpu_seconds() - before);
   return shown.empty();
 }

@@ -27,6 +27,7 @@ struct DarkestRange {
 struct DarkestPixels {
   static constexpr const char *name = "darkest-pixels",
                               *summary = "linear over the darkest 0.1 % of the pixels; all others are white";
+  static constexpr bool needs_luminances = true;
   float percent = 0.1f;
 
   std::vector<Setting> settings() {

@@ -1,8 +1,9 @@
 #pragma once
 /// All operators. Each has a name, a summary, settings() and one of:
-///  - curve(map): a function of luminance for the map,
+///  - curve(map): a function of luminance for the map, of which it has the statistics (and the luminances themselves
+///    when it says needs_luminances),
 ///  - map(map): the display luminances of all pixels, for operators that look at the neighbourhood,
-///  - colour_curve(map): a function of colour,
+///  - colour_curve(map): a function of colour, for the statistics of the map,
 ///  - map(planes, map): changes the colours of all pixels.
 /// What they make may be outside [0, 1] and is clipped. Luminances are finite and not negative.
 

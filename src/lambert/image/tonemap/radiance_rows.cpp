@@ -49,19 +49,29 @@ void RadianceRows::load(int y, float scale, ColourRow& row) const {
   }
 }
 
-LuminanceMap RadianceRows::luminance_map(float scale) const {
-  LuminanceMap map{.luminance = Plane(image_->width(), image_->height())};
+void luminances(const ColourRow& row, float* out) {
+  const float* const r = row.r.data();
+  const float* const g = row.g.data();
+  const float* const b = row.b.data();
+  const std::size_t width = row.r.size();
+  for (std::size_t x = 0; x < width; ++x) out[x] = luminance({r[x], g[x], b[x]});
+}
+
+LuminanceMap RadianceRows::luminance_map(float scale) const { return measured(scale, true); }
+LuminanceMap RadianceRows::statistics(float scale) const { return measured(scale, false); }
+
+LuminanceMap RadianceRows::measured(float scale, bool keep) const {
+  LuminanceMap map;
+  if (keep) map.luminance = Plane(image_->width(), image_->height());
   std::vector<StatisticsSum> sums(static_cast<std::size_t>(row_blocks(image_->height())));
   for_row_blocks(image_->height(), [&](std::size_t block, int first, int last) {
     ColourRow row(image_->width());
+    std::vector<float> line(row.r.size());
     for (int y = first; y < last; ++y) {
       load(y, scale, row);
-      float* const l = map.luminance.row(y).data();
-      const float* const r = row.r.data();
-      const float* const g = row.g.data();
-      const float* const b = row.b.data();
-      for (std::size_t x = 0; x < row.r.size(); ++x) l[x] = luminance({r[x], g[x], b[x]});
-      sums[block].add_row(r, g, b, l, row.r.size());
+      float* const l = keep ? map.luminance.row(y).data() : line.data();
+      luminances(row, l);
+      sums[block].add_row(row.r.data(), row.g.data(), row.b.data(), l, row.r.size());
     }
   });
   for (std::size_t i = 1; i < sums.size(); ++i) sums[0].add(sums[i]);

@@ -13,6 +13,9 @@ struct ColourRow {
   std::vector<float> r, g, b, alpha;
 };
 
+/// out = the luminance of each pixel.
+void luminances(const ColourRow& row, float* out);
+
 /// An image as operators want it: colours divided by alpha, scaled, without NaN, negative or infinite numbers.
 class RadianceRows {
  public:
@@ -21,9 +24,13 @@ class RadianceRows {
   bool has_alpha() const { return alpha_.has_value(); }
   void load(int y, float scale, ColourRow& row) const;
   LuminanceMap luminance_map(float scale) const;
+  /// The same without the luminances.
+  LuminanceMap statistics(float scale) const;
   RgbPlanes planes(float scale) const;
 
  private:
+  LuminanceMap measured(float scale, bool keep) const;
+
   const Image* image_;
   std::optional<std::size_t> alpha_;
 };

@@ -23,10 +23,14 @@ float displayable(float v) {
   return positive < 1 ? positive : 1.0f;
 }
 
-Image empty_display(const Image& image, bool alpha) {
+std::vector<std::string> display_channels(const Image& image) {
   std::vector<std::string> channels = image.has_colour() ? rgb_channels() : std::vector<std::string>{"Y"};
-  if (alpha) channels.emplace_back("A");
-  Image out(image.width(), image.height(), std::move(channels));
+  if (image.channel("A")) channels.emplace_back("A");
+  return channels;
+}
+
+Image empty_display(const Image& image) {
+  Image out(image.width(), image.height(), display_channels(image));
   out.place({image.data_window().x, image.data_window().y}, image.display_window());
   out.metadata = image.metadata;
   return out;
@@ -90,8 +94,7 @@ void colour_from_luminance(ColourRow& row, const float* luminance, const float* 
 
 /// Loads each row, lets `change` have it, stores it.
 template <class Change>
-Image by_rows(const RadianceRows& rows, float scale, const Change& change) {
-  Image out = empty_display(rows.image(), rows.has_alpha());
+void by_rows(const RadianceRows& rows, float scale, Image& out, const Change& change) {
   for_row_blocks(out.height(), [&](std::size_t, int first, int last) {
     ColourRow row(out.width());
     for (int y = first; y < last; ++y) {
@@ -100,7 +103,6 @@ Image by_rows(const RadianceRows& rows, float scale, const Change& change) {
       store(row, rows.has_alpha(), out, y);
     }
   });
-  return out;
 }
 
 template <class Curve>
@@ -129,18 +131,18 @@ void bound(Plane& plane, float largest) {
 
 struct Job {
   RadianceRows rows;
+  Image* out;  ///< may be the image of the rows
   float scale = 1;
-  LuminanceMap map;
   std::optional<ToneChannels> channels;
   float saturation = 1;
 
-  Image from_luminance(const Plane& shown) const {
-    return by_rows(rows, scale, [&](ColourRow& row, int y) {
+  void from_luminance(const LuminanceMap& map, const Plane& shown) const {
+    by_rows(rows, scale, *out, [&](ColourRow& row, int y) {
       colour_from_luminance(row, map.luminance.row(y).data(), shown.row(y).data(), saturation);
     });
   }
-  Image from_planes(const RgbPlanes& planes) const {
-    return by_rows(rows, scale, [&](ColourRow& row, int y) {
+  void from_planes(const RgbPlanes& planes) const {
+    by_rows(rows, scale, *out, [&](ColourRow& row, int y) {
       std::ranges::copy(planes.r.row(y), row.r.begin());
       std::ranges::copy(planes.g.row(y), row.g.begin());
       std::ranges::copy(planes.b.row(y), row.b.begin());
@@ -148,63 +150,77 @@ struct Job {
   }
 
   template <LuminanceCurve Op>
-  Image run(const Op& op) const {
-    const auto curve = op.curve(map);
+  void run(const Op& op) const {
+    constexpr bool whole = requires { Op::needs_luminances; };
+    const auto curve = op.curve(whole ? rows.luminance_map(scale) : rows.statistics(scale));
     if (channels == ToneChannels::rgb)
-      return by_rows(rows, scale, [&](ColourRow& row, int) {
+      by_rows(rows, scale, *out, [&](ColourRow& row, int) {
         for (std::vector<float>* c : {&row.r, &row.g, &row.b}) apply(curve, c->data(), c->data(), c->size());
       });
-    return by_rows(rows, scale, [&, this](ColourRow& row, int y) {
-      const float* const luminance = map.luminance.row(y).data();
-      std::vector<float> shown(row.r.size());
-      apply(curve, luminance, shown.data(), shown.size());
-      colour_from_luminance(row, luminance, shown.data(), saturation);
-    });
+    else
+      by_luminance(curve);
   }
 
   template <LuminanceOperator Op>
-  Image run(const Op& op) {
+  void run(const Op& op) const {
+    LuminanceMap map = rows.luminance_map(scale);
     bound(map.luminance, map.statistics.largest);
-    if (channels != ToneChannels::rgb) return from_luminance(op.map(map));
+    if (channels != ToneChannels::rgb) return from_luminance(map, op.map(map));
     RgbPlanes planes = rows.planes(scale);
     for (Plane* channel : {&planes.r, &planes.g, &planes.b}) {
       bound(*channel, map.statistics.largest);
       *channel = op.map({.luminance = std::move(*channel), .statistics = map.statistics});
     }
-    return from_planes(planes);
+    from_planes(planes);
   }
 
   template <ColourCurve Op>
-  Image run(const Op& op) const {
-    const auto curve = op.colour_curve(map);
-    if (channels != ToneChannels::luminance)
-      return by_rows(rows, scale, [&](ColourRow& row, int) { apply_colour(curve, row); });
-    return by_rows(rows, scale, [&, this](ColourRow& row, int y) {
-      const float* const l = map.luminance.row(y).data();
-      const auto grey = [&](float v) { return luminance(curve(Rgb(v))); };
-      std::vector<float> shown(row.r.size());
-      apply(grey, l, shown.data(), shown.size());
-      colour_from_luminance(row, l, shown.data(), saturation);
-    });
+  void run(const Op& op) const {
+    const auto curve = op.colour_curve(rows.statistics(scale));
+    if (channels == ToneChannels::luminance)
+      by_luminance([&](float v) { return luminance(curve(Rgb(v))); });
+    else
+      by_rows(rows, scale, *out, [&](ColourRow& row, int) { apply_colour(curve, row); });
   }
 
   template <ColourOperator Op>
-  Image run(const Op& op) {
+  void run(const Op& op) const {
+    LuminanceMap map = rows.luminance_map(scale);
     if (channels != ToneChannels::luminance) {
       RgbPlanes planes = rows.planes(scale);
       op.map(planes, map);
       return from_planes(planes);
     }
     RgbPlanes greys{map.luminance, map.luminance, map.luminance};
-    LuminanceMap grey_map = map;
-    grey_map.statistics.average_colour = Rgb(map.statistics.average);
-    op.map(greys, grey_map);
+    map.statistics.average_colour = Rgb(map.statistics.average);
+    op.map(greys, map);
     Plane shown = std::move(greys.r);
     for (std::size_t i = 0; i < shown.values.size(); ++i)
       shown.values[i] = luminance({shown.values[i], greys.g.values[i], greys.b.values[i]});
-    return from_luminance(shown);
+    from_luminance(map, shown);
+  }
+
+ private:
+  template <class Curve>
+  void by_luminance(const Curve& curve) const {
+    by_rows(rows, scale, *out, [&, this](ColourRow& row, int) {
+      std::vector<float> light(row.r.size()), shown(row.r.size());
+      luminances(row, light.data());
+      apply(curve, light.data(), shown.data(), shown.size());
+      colour_from_luminance(row, light.data(), shown.data(), saturation);
+    });
   }
 };
+
+void tonemap_into(Image& out, const Image& image, const ToneSettings& settings) {
+  const float automatic = settings.automatic ? auto_exposure_stops(image, *settings.automatic) : 0;
+  const Job job{.rows = RadianceRows(image),
+                .out = &out,
+                .scale = std::exp2(settings.exposure + automatic),
+                .channels = settings.channels,
+                .saturation = settings.saturation};
+  std::visit([&](const auto& op) { job.run(op); }, settings.op);
+}
 
 template <class... Ops>
 std::vector<ToneOperator> defaults(const std::variant<Ops...>*) {
@@ -268,19 +284,15 @@ float auto_exposure_stops(const Image& image, const AutoExposure& a) {
 }
 
 Image tonemap(const Image& image, const ToneSettings& settings) {
-  const float automatic = settings.automatic ? auto_exposure_stops(image, *settings.automatic) : 0;
-  const float scale = std::exp2(settings.exposure + automatic);
-  const RadianceRows rows(image);
-  return std::visit(
-      [&](const auto& op) {
-        Job job{.rows = rows,
-                .scale = scale,
-                .map = rows.luminance_map(scale),
-                .channels = settings.channels,
-                .saturation = settings.saturation};
-        return job.run(op);
-      },
-      settings.op);
+  Image out = empty_display(image);
+  tonemap_into(out, image, settings);
+  return out;
+}
+
+Image tonemap(Image&& image, const ToneSettings& settings) {
+  if (image.channels() != display_channels(image)) return tonemap(image, settings);
+  tonemap_into(image, image, settings);
+  return std::move(image);
 }
 
 }  // namespace lambert

@@ -44,6 +44,8 @@ struct ToneSettings {
 /// mapped as they are. Grey images stay grey. NaN and negative values are black, infinite ones white. The result
 /// does not depend on the number of threads.
 Image tonemap(const Image& image, const ToneSettings& settings);
+/// The same in the memory of the image where its channels allow.
+Image tonemap(Image&& image, const ToneSettings& settings);
 
 /// The factor on radiance, as a power of 2, that `automatic` asks for.
 float auto_exposure_stops(const Image& image, const AutoExposure& automatic);

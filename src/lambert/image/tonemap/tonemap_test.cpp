@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lambert {
@@ -142,6 +143,16 @@ TEST(Tonemap, ThreadsDoNotChangeABit) {
     const Image all = tonemap(scene(131, 77), settings);
     EXPECT_TRUE(std::ranges::equal(one.pixels(), all.pixels())) << name;
   }
+}
+
+TEST(Tonemap, InPlaceIsTheSame) {
+  for (const std::string& name : built_in_operators())
+    for (const ToneChannels channels : {ToneChannels::luminance, ToneChannels::rgb}) {
+      const ToneSettings settings{.op = tone_operator(name), .channels = channels};
+      Image image = scene(33, 21);
+      const Image apart = tonemap(image, settings), in_place = tonemap(std::move(image), settings);
+      EXPECT_TRUE(std::ranges::equal(apart.pixels(), in_place.pixels())) << name;
+    }
 }
 
 TEST(Tonemap, TakesAnyImage) {
