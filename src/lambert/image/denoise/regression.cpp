@@ -129,17 +129,18 @@ class TileRegression {
     const int across = 2 * radius + 1;
     for (int s = 0; s < across; ++s) {
       const int dx = s - radius;
+      const auto at = static_cast<std::size_t>(s);
       const std::size_t offset = static_cast<std::size_t>((dy + radius) * across + s);
       const Lanes w = load(weights_.data() + offset * side * side + j * side + group * lane_count);
-      w_[0][s] = w;
-      w_[1][s] = (w * w) * (w * w);  // e^(-d² / k²) for k = 1/2
-      f_[0][s] = all(1);
+      w_[0][at] = w;
+      w_[1][at] = (w * w) * (w * w);  // e^(-d² / k²) for k = 1/2
+      f_[0][at] = all(1);
       if (settings_.place) {
-        f_[1][s] = all(static_cast<float>(dx) / static_cast<float>(radius));
-        f_[2][s] = all(static_cast<float>(dy) / static_cast<float>(radius));
+        f_[1][at] = all(static_cast<float>(dx) / static_cast<float>(radius));
+        f_[2][at] = all(static_cast<float>(dy) / static_cast<float>(radius));
       }
       for (std::size_t f = 0; f < features_; ++f)
-        f_[first_feature_ + f][s] = load(feature_[f].at(x + dx, y)) - centre[f];
+        f_[first_feature_ + f][at] = load(feature_[f].at(x + dx, y)) - centre[f];
     }
   }
 
@@ -152,7 +153,7 @@ class TileRegression {
       gather_row(j, group, dy, centre);
       const int y = j * stride + dy;
       for (std::size_t c = 0; c < 3; ++c)
-        for (int s = 0; s < across; ++s) y_[c][s] = load(colour_[c].at(x + s - radius, y));
+        for (int s = 0; s < across; ++s) y_[c][static_cast<std::size_t>(s)] = load(colour_[c].at(x + s - radius, y));
       for (std::size_t k = 0; k < candidate_count; ++k) accumulate(equations_[k], w_[k], across);
     }
     for (Equations& e : equations_) solve(e, unknowns(), settings_.ridge);
@@ -165,7 +166,8 @@ class TileRegression {
   void accumulate(Equations& e, const std::array<Lanes, most_across>& w, int across) {
     std::array<Lanes, most_across> wf;
     for (std::size_t i = 0; i < unknowns(); ++i) {
-      for (int s = 0; s < across; ++s) wf[static_cast<std::size_t>(s)] = w[static_cast<std::size_t>(s)] * f_[i][s];
+      for (int s = 0; s < across; ++s)
+        wf[static_cast<std::size_t>(s)] = w[static_cast<std::size_t>(s)] * f_[i][static_cast<std::size_t>(s)];
       std::size_t k = 0;
       for (; k + 4 <= i + 1; k += 4) add_products<4>(&e.m[i][k], wf.data(), &f_[k], across);
       for (; k <= i; ++k) add_products<1>(&e.m[i][k], wf.data(), &f_[k], across);
@@ -191,7 +193,7 @@ class TileRegression {
       const int at = x + s - settings_.window_radius;
       std::array<Lanes, 3> value{e.y[0][0], e.y[0][1], e.y[0][2]};
       for (std::size_t i = 1; i < unknowns(); ++i)
-        for (std::size_t c = 0; c < 3; ++c) value[c] += e.y[i][c] * f_[i][s];
+        for (std::size_t c = 0; c < 3; ++c) value[c] += e.y[i][c] * f_[i][static_cast<std::size_t>(s)];
       for (std::size_t c = 0; c < 3; ++c) {
         float* to = told.colour[c].at(at, y);
         store(to, load(to) + w * (value[c] > least_ ? value[c] : least_));
