@@ -28,7 +28,6 @@ composite "$strip" --resolution 332x44 -o coverage.png
 # A film element: a render, cut by its depth, a glow of its highlights, a title that darkens the plate behind it.
 "$lambert" render --quiet --resolution 320x320 --spp 32 --aov depth,albedo -o "$work/box.exr" >/dev/null
 beauty="$work/box.exr"
-composite "$beauty clamp" -o element.jpg
 composite "($beauty blur 12 darken 0.5) plus ($beauty gain 0.85 0.95 1.15)" -o "$work/lit.exr" --depth half
 composite "((colour(1,0.9,0.6) mask rectangle(30,262,260,8)) dissolve 0.9) over
   ((colour(0,0,0) mask (rectangle(20,240,280,60) blur 6)) dissolve 0.6) over
