@@ -52,6 +52,8 @@ struct Expression {
 
 /// Trees are at most so deep: as many elements may be joined by infix words without parentheses.
 inline constexpr std::size_t max_depth = 2000;
+/// Each costs the parser three calls, which sanitizers make large.
+inline constexpr std::size_t max_parentheses = 256;
 
 /// Throws Error with `name`, line, column, the word and what was expected: syntax, a number out of its range, keys that
 /// are not in order.

@@ -96,7 +96,8 @@ class Parser {
   }
 
   Part primary(std::size_t open) {
-    if (open > max_depth) lexer_.fail_at(token().at.begin, "more than " + std::to_string(max_depth) + " parentheses");
+    if (open > max_parentheses)
+      lexer_.fail_at(token().at.begin, "more than " + std::to_string(max_parentheses) + " parentheses");
     if (token().is('(')) {
       lexer_.next();
       Part inner = expression(open + 1);
