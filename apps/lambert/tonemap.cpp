@@ -7,6 +7,7 @@
 #include "lambert/base/file.h"
 #include "lambert/base/number.h"
 #include "lambert/draw/montage.h"
+#include "lambert/image/filter/resize.h"
 #include "lambert/image/io.h"
 #include "lambert/image/tonemap/tonemap.h"
 
@@ -73,25 +74,9 @@ ToneOperator configured_operator(const std::string& name, const std::vector<std:
 /// The mean of the pixels that each pixel of a picture `width` wide covers; as it is when it is not wider.
 Image shrunk(const Image& image, int width) {
   if (image.width() <= width) return image;
-  const double step = static_cast<double>(image.width()) / width;
-  const int height = std::max(1, static_cast<int>(std::lround(image.height() / step)));
-  Image out(width, height, image.channels());
-  const auto covered = [](int i, int count, int of) {
-    const auto edge = [&](int k) { return static_cast<int>(static_cast<std::int64_t>(k) * of / count); };
-    return std::pair(edge(i), std::max(edge(i + 1), edge(i) + 1));
-  };
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const auto [x0, x1] = covered(x, width, image.width());
-      const auto [y0, y1] = covered(y, height, image.height());
-      for (std::size_t c = 0; c < image.channel_count(); ++c) {
-        double sum = 0;
-        for (int v = y0; v < y1; ++v)
-          for (int u = x0; u < x1; ++u) sum += static_cast<double>(image.at(u, v, c));
-        out.at(x, y, c) = static_cast<float>(sum / ((x1 - x0) * (y1 - y0)));
-      }
-    }
-  return out;
+  const double height = static_cast<double>(image.height()) * width / image.width();
+  return resized(image, width, std::max(1, static_cast<int>(std::lround(height))),
+                 {.filter = {.kind = FilterKind::box}});
 }
 
 Image montage_of(const std::vector<Image>& inputs, const std::vector<std::string>& names, const TonemapOptions& o) {

@@ -2,6 +2,7 @@
 
 #include "lambert/draw/montage.h"
 #include "lambert/draw/plot.h"
+#include "lambert/image/filter/blur.h"
 #include "lambert/lab/demo.h"
 #include "lambert/lab/scenes.h"
 
@@ -30,20 +31,6 @@ Image stacked(const Image& above, const Image& below, int gap) {
   paste(above, 0);
   paste(below, above.height() + gap);
   return image;
-}
-
-/// The mean of 3 x 3 pixels: what blurring after sampling does.
-Image blurred(const Image& image) {
-  Image out(image.width(), image.height(), rgb_channels());
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      Rgb sum;
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx)
-          sum += image.rgb(std::clamp(x + dx, 0, image.width() - 1), std::clamp(y + dy, 0, image.height() - 1));
-      out.set_rgb(x, y, sum / 9.0f);
-    }
-  return out;
 }
 
 }  // namespace
@@ -84,14 +71,15 @@ Shown show_detail(const LabSettings& settings) {
   const Scene scene = small_details(width, height);
   const Image truth = sampled(scene, width, height, {PatternKind::jittered, 256, settings.seed});
   const Image one = sampled(scene, width, height, {PatternKind::regular, 1, settings.seed});
+  const Image blurred = box_blurred(one, {1, 1});
   const Image nine = sampled(scene, width, height, {PatternKind::regular, 9, settings.seed});
   const std::vector<Panel> panels{{"256 samples a pixel", magnified(truth, 4)},
                                   {"1 sample at the centre", magnified(one, 4)},
-                                  {"the same, blurred afterwards", magnified(blurred(one), 4)},
+                                  {"the same, blurred afterwards", magnified(blurred, 4)},
                                   {"9 samples, averaged", magnified(nine, 4)}};
   return {montage(panels, {.columns = 2}),
           {{"rms error, 1 sample", rms_difference(one, truth)},
-           {"rms error, blurred", rms_difference(blurred(one), truth)},
+           {"rms error, blurred", rms_difference(blurred, truth)},
            {"rms error, 9 samples", rms_difference(nine, truth)}}};
 }
 
