@@ -7,13 +7,21 @@
 #include "lambert/image/formats/exr_writer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 namespace lambert {
 
+namespace {
+
+bool exceeds_half(float v) { return std::abs(v) > 65504 && std::isfinite(v); }
+
+}  // namespace
+
 ImageHeader header_of(const Image& image) {
-  return {image.data_window(), image.display_window(), image.channels(), image.metadata, image.attributes};
+  return {image.data_window(), image.display_window(), image.channels(),
+          image.metadata,      image.attributes,       std::ranges::any_of(image.pixels(), exceeds_half)};
 }
 
 Image image_of(const ImageHeader& header) {

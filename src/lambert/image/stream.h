@@ -19,9 +19,11 @@ struct ImageHeader {
   std::vector<std::string> channels;
   std::map<std::string, std::string> metadata;
   std::map<std::string, Attribute> attributes;
+  bool full_floats = false;  ///< colours are stored as full floats, or are more than a half can hold
 
   std::size_t row_size() const { return static_cast<std::size_t>(data.width) * channels.size(); }  ///< in floats
 };
+/// `full_floats` where a finite number is beyond the halves.
 ImageHeader header_of(const Image& image);
 /// All zeros. Throws Error as Image's constructor does.
 Image image_of(const ImageHeader& header);
