@@ -10,6 +10,8 @@ namespace lambert::cli {
 
 /// Exit statuses (docs/guide/command-line.md).
 inline constexpr int done = 0, failed = 1, usage_error = 2, interrupted = 130;
+/// Of 'compare', whose 0 to 3 are verdicts.
+inline constexpr int not_compared = 4;
 
 /// Registers a subcommand; what it returns is run when the subcommand was given, and its result is the exit status.
 using Command = std::function<std::function<int()>(CLI::App& app)>;

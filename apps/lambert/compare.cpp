@@ -15,13 +15,7 @@ namespace lambert::cli {
 namespace {
 
 int run(const CompareOptions& o) {
-  Pair pair;
-  try {
-    pair = read_pair(o);
-  } catch (const Error& e) {
-    log::error(e.what());
-    return unreadable;
-  }
+  Pair pair = read_pair(o);
   if (pair.a.width() != pair.b.width() || pair.a.height() != pair.b.height()) {
     log::error(fmt::format("the sizes differ: {} is {}x{}, {} is {}x{}", o.image, pair.a.width(), pair.a.height(),
                            o.reference, pair.b.width(), pair.b.height()));
@@ -70,7 +64,7 @@ std::function<int()> add_compare(CLI::App& app) {
   app.add_flag("--json", o->json, "Print JSON");
   app.add_flag("-q,--quiet", o->quiet, "Print nothing");
   app.footer(
-      "Exit status, as of idiff: 0 same, 1 warning, 2 different, 3 the sizes differ, 4 a file cannot be read.\n"
+      "Exit status, as of idiff: 0 same, 1 warning, 2 different, 3 the sizes differ, 4 they cannot be compared.\n"
       "  lambert compare a.exr truth.exr --heat difference.png\n"
       "  lambert compare a.png b.png --metric flip --fail 0.05 --warn 0.02");
   return [o] { return run(*o); };

@@ -74,7 +74,7 @@ int run(const Options& o) {
   if (o.print == "text") fmt::print("{}\n", to_text(source.tree));
   if (o.print == "json") fmt::print("{}", to_json(source.tree));
   if (!o.print.empty()) return done;
-  if (o.outputs.empty()) throw Error("no output: name it with -o FILE");
+  if (o.outputs.empty()) throw CLI::RequiredError("--output");
   const std::vector<int> frames = o.frames.empty() ? std::vector{1} : parse_frames(o.frames);
   if (o.frames.empty())
     for (const std::string& file : files_of(source.tree))

@@ -49,8 +49,16 @@ std::vector<std::string> words_of(int argc, char** argv) {
   return words;
 }
 
-int run(int argc, char** argv) {
-  std::vector<std::string> words = words_of(argc, argv);
+/// The exit statuses of what fails. Those of 'compare' below 4 say how far two images lie apart.
+struct Failures {
+  int work = cli::failed, usage = cli::usage_error;
+};
+Failures failures_of(const std::vector<std::string>& words) {
+  if (!words.empty() && words.front() == "compare") return {cli::not_compared, cli::not_compared};
+  return {};
+}
+
+int run(std::vector<std::string> words, const Failures& failures) {
   CLI::App app("Lambert: one scene, every way of making an image of it.", "lambert");
   app.set_version_flag("--version", "lambert " LAMBERT_VERSION);
   app.require_subcommand(1);
@@ -94,20 +102,25 @@ int run(int argc, char** argv) {
   try {
     std::ranges::reverse(words);  // the last word first, as CLI11 wants a vector
     app.parse(std::move(words));
+    for (const Entry& e : entries)
+      if (e.app->parsed()) return e.run();
+  } catch (const CLI::ValidationError& e) {
+    app.exit(e);
+    return failures.work;  // as other values that a flag does not have
   } catch (const CLI::ParseError& e) {
     const int status = app.exit(e);
-    return status == 0 ? cli::done : cli::usage_error;
+    return status == 0 ? cli::done : failures.usage;
   }
-  for (const Entry& e : entries)
-    if (e.app->parsed()) return e.run();
-  return cli::usage_error;
+  return failures.usage;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::vector<std::string> words = words_of(argc, argv);
+  const Failures failures = failures_of(words);
   try {
-    return run(argc, argv);
+    return run(words, failures);
   } catch (const Error& e) {
     log::error(e.what());
   } catch (const std::bad_alloc&) {
@@ -115,5 +128,5 @@ int main(int argc, char** argv) {
   } catch (const std::exception& e) {
     log::error(fmt::format("unexpected: {}", e.what()));
   }
-  return cli::failed;
+  return failures.work;
 }

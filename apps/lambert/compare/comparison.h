@@ -60,7 +60,7 @@ Pair read_pair(const CompareOptions& o);
 Comparison compared(const CompareOptions& o, Pair pair);
 
 /// The exit statuses, as of idiff.
-inline constexpr int same = 0, warned = 1, different = 2, sizes_differ = 3, unreadable = 4;
+inline constexpr int same = 0, warned = 1, different = 2, sizes_differ = 3;
 int verdict(const Comparison& c);
 
 /// The files that were asked for.
