@@ -35,7 +35,7 @@ struct CompositeReport {
 CompositeReport composite_to_files(const Expression& expression, const std::vector<std::filesystem::path>& outputs,
                                    const WriteOptions& options = {}, const CompositeSettings& settings = {});
 
-/// The same to an image with all channels, of pictures that may be anywhere (names are frames' already).
+/// The same to an image with all channels; `pictures` may hold images in memory.
 Image composite(const Expression& expression, Pictures& pictures, const CompositeSettings& settings = {});
 
 }  // namespace lambert::composite

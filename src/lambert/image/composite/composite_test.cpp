@@ -18,29 +18,6 @@ namespace {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 
-class MemoryPictures final : public Pictures {
- public:
-  void add(const std::string& name, Image image) {
-    headers_[name] = header_of(image);
-    images_[name] = std::move(image);
-  }
-  const ImageHeader& header(const std::string& file) override {
-    if (!headers_.contains(file)) throw Error(file + ": there is no such file");
-    return headers_.at(file);
-  }
-  void read(const std::string& file, int y0, int y1, std::span<float> to) override {
-    const Image& image = images_.at(file);
-    auto at = to.begin();
-    for (int y = y0; y < y1; ++y) at = std::ranges::copy(image.row(y), at).out;
-    asked = std::max(asked, y1 - y0);
-  }
-  int asked = 0;
-
- private:
-  std::map<std::string, Image> images_;
-  std::map<std::string, ImageHeader> headers_;
-};
-
 /// One colour in a rectangle of the plane.
 Image patch(const Window& at, const Window& display, Pixel p, std::vector<std::string> channels = rgba_channels()) {
   Image image(at.width, at.height, channels);
@@ -57,7 +34,7 @@ Pixel pixel_at(const Image& image, int x, int y) {
 }
 
 struct Plane : ::testing::Test {
-  MemoryPictures pictures;
+  Pictures pictures;
   Image eval(const std::string& text, int frame = 1) {
     CompositeSettings settings{.frame = frame, .text = text};
     return composite(parse_expression(text), pictures, settings);
@@ -205,7 +182,6 @@ TEST_F(Plane, BandsDoNotShow) {
           EXPECT_NEAR(row.at(x, 0, c), whole.at(x, y, c), 2e-6f) << text << " row " << y;
     }
   }
-  EXPECT_LE(pictures.asked, 16) << "files are read in small pieces";
 }
 
 TEST_F(Plane, BlurKeepsTheLightAndErodeKeepsColours) {
@@ -244,7 +220,7 @@ TEST_F(Plane, DeepTreesNeedFewBands) {
     };
     place(e);
     const CompositeReport report = composite_to_files(e, {folder.path() / "out.exr"});
-    EXPECT_LE(report.bytes_in_bands, 3u * 64 * 40 * 4 * sizeof(float)) << "two bands and the rows written";
+    EXPECT_LE(report.bytes_in_bands, 3u * 64 * 40 * 4 * sizeof(float)) << "two bands and the rows read or written";
   }
 }
 
@@ -255,9 +231,7 @@ TEST(Pictures, FilesThatAreDecodedWholeMayBeSpooled) {
   write_image(path, image);
   Pictures spooled(2, 0), kept;
   std::vector<float> a(13 * 3 * 5), b(a.size());
-  spooled.read(path, 30, 35, a);
-  kept.read(path, 30, 35, b);
-  EXPECT_EQ(a, b);
+  EXPECT_TRUE(std::ranges::equal(spooled.rows(path, 30, 35, a), kept.rows(path, 30, 35, b)));
   EXPECT_TRUE(std::equal(a.begin(), a.end(), image.row(30).begin()));
 }
 
