@@ -23,8 +23,9 @@ struct Job {
   int band_rows = 64;
 };
 
-/// Rows of a band: enough that most of what is asked for around it is not asked for twice.
-int rows_for(int margin) { return std::clamp((4 * margin + 15) / 16 * 16, 64, 512); }
+/// Rows of a band: enough that several threads can decode them, or else few that stay in a cache; and enough that most
+/// of what is asked for around it is not asked for twice.
+int rows_for(int margin, bool decoding) { return std::clamp((4 * margin + 15) / 16 * 16, decoding ? 64 : 16, 512); }
 
 Job prepare(const Expression& expression, bool extras, Pictures& pictures, const CompositeSettings& settings) {
   Job job{.root = plan(expression, settings.frame, file_at, {.all = extras}, pictures, settings.text, settings.name)};
@@ -44,7 +45,7 @@ Job prepare(const Expression& expression, bool extras, Pictures& pictures, const
                 std::to_string(job.header.data.height) + " pixels; 'crop' the elements");
   job.header.channels = shape.channels;
   if (!shape.has_alpha) job.header.channels.erase(job.header.channels.begin() + alpha_channel);
-  job.band_rows = rows_for(job.root->margin());
+  job.band_rows = rows_for(job.root->margin(), pictures.any_in_bands());
   return job;
 }
 

@@ -49,6 +49,10 @@ const ImageHeader& Pictures::header(const std::string& file) {
   return found != entries_.end() ? found->second.header : open(file).header;
 }
 
+bool Pictures::any_in_bands() const {
+  return std::ranges::any_of(entries_, [](const auto& e) { return !e.second.whole; });
+}
+
 std::span<const float> Pictures::rows(const std::string& file, int y0, int y1, std::span<float> scratch) {
   Entry& entry = open(file);
   const std::size_t row = entry.header.row_size(), first = static_cast<std::size_t>(y0) * row,

@@ -24,6 +24,8 @@ class Pictures {
   void add(const std::string& name, Image image);
   /// Throws Error naming the file. The header stays where it is as long as this does.
   const ImageHeader& header(const std::string& file);
+  /// Some are decoded as their rows are asked for.
+  bool any_in_bands() const;
   /// Rows [y0, y1) as ImageReader::read() gives them: where they are in memory, else read into `scratch`, which has
   /// room for them.
   std::span<const float> rows(const std::string& file, int y0, int y1, std::span<float> scratch);
