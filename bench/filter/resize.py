@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """CPU seconds of `lambert image resize` and `blur` beside oiiotool's, in turn, on one 2048 x 1080 float image.
 
-usage: resize.py LAMBERT [--plot FILE.svg] [--rounds N]    medians of N (5) rounds, with the reading and
+usage: resize.py LAMBERT [--plot FILE.svg] [--rounds N]    medians of N (3) rounds, with the reading and
 writing of files, which the line "copy" has alone
 """
 import argparse
@@ -30,7 +30,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("lambert")
     parser.add_argument("--plot")
-    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--rounds", type=int, default=3)
     args = parser.parse_args()
     lambert = str(pathlib.Path(args.lambert).resolve())
     small, large = "512x270", "3072x1620"

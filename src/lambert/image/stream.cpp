@@ -13,7 +13,7 @@
 namespace lambert {
 
 ImageHeader header_of(const Image& image) {
-  return {image.data_window(), image.display_window(), image.channels(), image.metadata, image.attributes};
+  return {image.data_window(), image.display_window(), image.channels(), image.metadata, image.attributes, 1};
 }
 
 Image image_of(const ImageHeader& header) {

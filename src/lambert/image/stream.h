@@ -19,6 +19,7 @@ struct ImageHeader {
   std::vector<std::string> channels;
   std::map<std::string, std::string> metadata;
   std::map<std::string, Attribute> attributes;
+  int parts = 1;  ///< of the file that was read; more than one have become layers
 
   std::size_t row_size() const { return static_cast<std::size_t>(data.width) * channels.size(); }  ///< in floats
 };
