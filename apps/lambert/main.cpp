@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <new>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -22,11 +23,10 @@ struct Entry {
 };
 
 /// The first word that names no command where one must stand, with the known ones; empty when there is none.
-std::string unknown_command(const CLI::App& app, int argc, char** argv) {
+std::string unknown_command(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* at = &app;
-  for (int i = 1; i < argc; ++i) {
+  for (const std::string& word : words) {
     const std::vector<const CLI::App*> commands = at->get_subcommands([](const CLI::App*) { return true; });
-    const std::string word = argv[i];
     if (commands.empty() || word.starts_with('-')) break;
     const auto found = std::ranges::find_if(commands, [&](const CLI::App* c) { return c->get_name() == word; });
     if (found == commands.end()) {
@@ -39,7 +39,18 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
   return {};
 }
 
+/// The words of the command line, 'help COMMAND…' as 'COMMAND… --help'.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
+  return words;
+}
+
 int run(int argc, char** argv) {
+  std::vector<std::string> words = words_of(argc, argv);
   CLI::App app("Lambert: one scene, every way of making an image of it.", "lambert");
   app.set_version_flag("--version", "lambert " LAMBERT_VERSION);
   app.require_subcommand(1);
@@ -72,16 +83,17 @@ int run(int argc, char** argv) {
   add("denoise", "Remove the noise of a rendered image", cli::add_denoise);
   add("completion", "Print a completion script for a shell", cli::add_completion);
 
-  if (argc < 2) {
+  if (words.empty()) {
     fmt::print(stderr, "{}", app.help());
     return cli::usage_error;
   }
-  if (const std::string complaint = unknown_command(app, argc, argv); !complaint.empty()) {
+  if (const std::string complaint = unknown_command(app, words); !complaint.empty()) {
     log::error("unknown command " + complaint);
     return cli::usage_error;
   }
   try {
-    app.parse(argc, argv);
+    std::ranges::reverse(words);  // the last word first, as CLI11 wants a vector
+    app.parse(std::move(words));
   } catch (const CLI::ParseError& e) {
     const int status = app.exit(e);
     return status == 0 ? cli::done : cli::usage_error;

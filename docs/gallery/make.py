@@ -1,7 +1,9 @@
-"""Renders the pictures of pictures.json with their own commands, and writes README.md, which shows them."""
+"""Renders the pictures of pictures.json with their own commands, makes those of the guides again by their own scripts, and
+writes README.md, which shows them all."""
 import argparse
 import json
 import pathlib
+import re
 import shlex
 import subprocess
 import tempfile
@@ -10,6 +12,8 @@ import layers
 
 GALLERY = pathlib.Path(__file__).resolve().parent
 ROOT = GALLERY.parent.parent
+GUIDE = ROOT / "docs" / "guide"
+GUIDES = ["polygon", "lab", "filter", "composite", "hdr", "probe", "tonemap", "compare", "denoise", "performance"]
 
 
 def render(binary, picture, png_folder):
@@ -24,8 +28,20 @@ def render(binary, picture, png_folder):
             layers.show(exr, picture["layer"], target)
 
 
+def guide_pictures(name):
+    """The section of one guide: its title and its pictures in their order, each over its caption."""
+    text = (GUIDE / f"{name}.md").read_text()
+    title = re.search(r"^# (.*)", text).group(1)
+    lines = [f"## {title}", "", f"Explained in [{name}.md](../guide/{name}.md).", ""]
+    for caption, path in re.findall(r"!\[([^\]]*)\]\(([^ )]+)", text):
+        caption = caption or pathlib.Path(path).stem.replace("-", " ")
+        lines += [f"![{caption}](../guide/{path})", "", f"{caption[:1].upper()}{caption[1:]}.", ""]
+    return lines
+
+
 def page(pictures):
-    lines = ["# Gallery", "", "Written by `make.sh` from `pictures.json`; `./dev gallery` renders every picture again. All scenes are in",
+    lines = ["# Gallery", "", "Written by `make.sh`; `./dev gallery` makes every picture again, the plots of measurements apart. Pictures of",
+             "scenes come from `pictures.json`, those of the guides from the scripts beside them. All scenes are in",
              "[scenes](../../scenes) (without a scene the Cornell box is rendered).", ""]
     for picture in pictures:
         if "section" in picture:
@@ -33,6 +49,8 @@ def page(pictures):
         output = "layers.exr" if "layer" in picture else picture["file"]
         lines += [f"![{picture['caption']}]({picture['file']})", "", f"{picture['caption']}.", "",
                   f"    lambert render {picture['command']} -o {output}", ""]
+    for name in GUIDES:
+        lines += guide_pictures(name)
     (GALLERY / "README.md").write_text("\n".join(lines).rstrip() + "\n")
 
 
@@ -46,6 +64,9 @@ def main():
     for picture in pictures:
         if not arguments.files or picture["file"] in arguments.files:
             render(arguments.binary.resolve(), picture, arguments.png)
+    if not arguments.files:
+        for script in sorted(GUIDE.glob("*/make.sh")):
+            subprocess.run([script, arguments.binary.resolve()], check=True)
     page(pictures)
 
 

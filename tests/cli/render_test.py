@@ -276,6 +276,10 @@ class Mistakes(CommandLineTest):
 
 
 class Words(CommandLineTest):
+    def test_help_of_a_command(self):
+        self.assertEqual(self.lambert("help").stdout, self.lambert("--help").stdout)
+        self.assertEqual(self.lambert("help", "polygon", "union").stdout, self.lambert("polygon", "union", "--help").stdout)
+
     def test_help_version_methods_completion(self):
         self.assertIn("--target-error", self.lambert("render", "--help").stdout)
         self.assertRegex(self.lambert("--version").stdout, r"^lambert \d+\.\d+\.\d+\n$")

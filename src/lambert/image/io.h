@@ -26,7 +26,8 @@ Image decode_image(std::span<const std::byte> data, const std::string& name);
 /// True when the first bytes are those of a known format; false also when there is no such file.
 bool is_image_file(const std::filesystem::path& path);
 
-/// How numbers are stored. `automatic`: `.exr` half, but full floats for Z, position, ids, counts and variances;
+/// How numbers are stored. `automatic`: `.exr` half, but full floats for Z, position, ids, counts and variances, and
+/// for all where the image holds more than a half can (65504) or was read, in bands, from full floats;
 /// `.png .jpg .webp` 8 bits; `.tif` 16 bits; `.hdr` and `.pfm` have no choice.
 enum class Depth { automatic, bits8, bits16, half, full };
 /// OpenEXR's. All but pxr24 (of floats), b44, b44a, dwaa and dwab are lossless.

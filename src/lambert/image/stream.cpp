@@ -7,13 +7,25 @@
 #include "lambert/image/formats/exr_writer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 namespace lambert {
 
+namespace {
+
+bool exceeds_half(float v) { return std::abs(v) > 65504 && std::isfinite(v); }
+
+}  // namespace
+
 ImageHeader header_of(const Image& image) {
-  return {image.data_window(), image.display_window(), image.channels(), image.metadata, image.attributes, 1};
+  return {.data = image.data_window(),
+          .display = image.display_window(),
+          .channels = image.channels(),
+          .metadata = image.metadata,
+          .attributes = image.attributes,
+          .full_floats = std::ranges::any_of(image.pixels(), exceeds_half)};
 }
 
 Image image_of(const ImageHeader& header) {

@@ -19,10 +19,12 @@ struct ImageHeader {
   std::vector<std::string> channels;
   std::map<std::string, std::string> metadata;
   std::map<std::string, Attribute> attributes;
-  int parts = 1;  ///< of the file that was read; more than one have become layers
+  bool full_floats = false;  ///< colours are stored as full floats, or are more than a half can hold
+  int parts = 1;             ///< of the file that was read; more than one have become layers
 
   std::size_t row_size() const { return static_cast<std::size_t>(data.width) * channels.size(); }  ///< in floats
 };
+/// `full_floats` where a finite number is beyond the halves.
 ImageHeader header_of(const Image& image);
 /// All zeros. Throws Error as Image's constructor does.
 Image image_of(const ImageHeader& header);

@@ -49,6 +49,25 @@ TEST(ImageStream, BandsAreTheRowsOfTheWhole) {
   }
 }
 
+TEST(ImageStream, KnowsFullFloatsAndKeepsThem) {
+  const TemporaryFolder folder;
+  Image image(2, 1, {"R"});
+  image.at(0, 0, 0) = 0.1f;
+  EXPECT_FALSE(header_of(image).full_floats);
+  const fs::path halves = folder.path() / "h.exr", floats = folder.path() / "f.exr", copy = folder.path() / "c.exr";
+  write_image(halves, image);
+  write_image(floats, image, {.depth = Depth::full});
+  EXPECT_FALSE(ImageReader(halves).header().full_floats);
+  ImageReader reader(floats);
+  EXPECT_TRUE(reader.header().full_floats);
+  ImageWriter writer(copy, reader.header());
+  writer.write(reader.band(0, 1).pixels());
+  writer.close();
+  EXPECT_EQ(read_image(copy).at(0, 0, 0), 0.1f);
+  image.at(1, 0, 0) = 65505;
+  EXPECT_TRUE(header_of(image).full_floats);
+}
+
 TEST(ImageStream, WhatIsWrittenInBandsIsTheWhole) {
   const TemporaryFolder folder;
   const Image image = sample();

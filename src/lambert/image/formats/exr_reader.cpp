@@ -242,6 +242,7 @@ void ExrReader::State::open() {
     for (const std::string& s : stored[static_cast<std::size_t>(i)]) {
       const Imf::Channel& c = ph.channels()[s.c_str()];
       if (c.xSampling < 1 || c.ySampling < 1) decode_error(name, "channel '" + s + "' is not sampled");
+      header.full_floats |= c.type == Imf::FLOAT && !needs_full_floats(header.channels[target[next]]);
       part.channels.push_back({s, target[next++], c.xSampling, c.ySampling});
     }
     const Chromaticities from = chromaticities_of(ph);

@@ -100,9 +100,9 @@ Imf::Compression stored(Compression c) {
   throw Error("unknown compression");
 }
 
-Imf::PixelType stored_type(const std::string& channel, Depth depth) {
+Imf::PixelType stored_type(const std::string& channel, bool full_floats, Depth depth) {
   switch (depth) {
-    case Depth::automatic: return needs_full_floats(channel) ? Imf::FLOAT : Imf::HALF;
+    case Depth::automatic: return full_floats || needs_full_floats(channel) ? Imf::FLOAT : Imf::HALF;
     case Depth::half: return Imf::HALF;
     case Depth::full: return Imf::FLOAT;
     default: throw Error("OpenEXR stores half or float, not 8 or 16 bits");
@@ -117,7 +117,8 @@ Imf::Header header_of(const ImageHeader& h, const WriteOptions& options) {
   Imf::Header header(box_of(h.display), box_of(h.data));
   header.compression() = stored(options.compression);
   write_attributes(header, h);
-  for (const std::string& c : h.channels) header.channels().insert(c, Imf::Channel(stored_type(c, options.depth)));
+  for (const std::string& c : h.channels)
+    header.channels().insert(c, Imf::Channel(stored_type(c, h.full_floats, options.depth)));
   return header;
 }
 
@@ -168,7 +169,7 @@ ExrWriter::ExrWriter(const std::filesystem::path& path, const ImageHeader& heade
   s.width = static_cast<std::size_t>(header.data.width);
   s.left = header.data.x;
   s.channels = header.channels;
-  for (const std::string& c : s.channels) s.types.push_back(stored_type(c, options.depth));
+  for (const std::string& c : s.channels) s.types.push_back(stored_type(c, header.full_floats, options.depth));
   if (path.empty()) {
     s.file = std::make_unique<Imf::OutputFile>(s.memory, h, exr_threads());
   } else {
