@@ -24,7 +24,7 @@ def read_rows():
 
 def read_tests():
     tests = collections.defaultdict(list)
-    for path in sorted([*ROOT.glob("src/**/*_test.cpp"), *ROOT.glob("tests/**/*_test.*")]):
+    for path in sorted([*ROOT.glob("src/**/*_test.cpp"), *ROOT.glob("tests/**/*_test.*"), *ROOT.glob("tests/vectors/*_vectors.cpp")]):
         text = path.read_text()
         for comment in re.finditer(r"(?://|#) rows:([^\n]*)", text):
             for row in re.findall(r"[A-Z]{2}-\d\d", comment[1]):
@@ -46,6 +46,8 @@ def read_pictures():
 
 
 def code_beside(test):
+    if "_test" not in test.name:
+        return []
     stem = test.name.replace("_test", "")
     found = [test.with_name(pathlib.Path(stem).stem + suffix) for suffix in (".h", ".cpp")]
     return [path for path in found if (ROOT / path).exists()][:1]

@@ -118,6 +118,7 @@ class Agreement(CommandLineTest):
         self.oiio("a.pfm", "--attrib", "oiio:subimagename", "rgba", "a.pfm", "--mulc", "2", "--attrib", "oiio:subimagename", "diffuse",
                   "--siappend", "-d", "half", "-o", "parts.exr")
         self.ours("parts.exr", "ours.pfm")
+        self.assertIn("its 2 parts become layers", self.lambert("image", "convert", "parts.exr", "-o", "one.exr").stderr)
         self.assert_agree("ours.pfm", "a.pfm", 0)
         self.ours("parts.exr", "ours.pfm", "--layer", "diffuse", "--channels", "R,G,B", "--exposure", "-1")
         self.assert_agree("ours.pfm", "a.pfm", 0)

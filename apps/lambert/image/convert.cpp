@@ -1,11 +1,14 @@
 #include "verb.h"
 
 #include "../command.h"
+#include "../print_path.h"
 
 #include "lambert/base/error.h"
+#include "lambert/base/log.h"
 #include "lambert/image/channels.h"
 #include "lambert/image/stream.h"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -42,6 +45,9 @@ int run(const Options& o) {
   check_write_options(o.output, options);
   ImageReader reader(o.input);
   ImageHeader header = reader.header();
+  if (header.parts > 1)
+    log::info(fmt::format("{}: its {} parts become layers of one, on one window; of their metadata one's is kept",
+                          o.input, header.parts));
   if (o.crop_to == "display") header.data = header.display;
   if (o.crop_to == "data") header.display = header.data;
 
@@ -65,6 +71,7 @@ int run(const Options& o) {
     writer.write(chosen);
   }
   writer.close();
+  print_path(o.output);
   return done;
 }
 

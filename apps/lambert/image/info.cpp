@@ -100,6 +100,7 @@ void print_image_info(const std::filesystem::path& file, bool json) {
                              {"height", h.data.height},
                              {"data_window", as_json(h.data)},
                              {"display_window", as_json(h.display)},
+                             {"parts", h.parts},
                              {"channels", nlohmann::json::array()}};
     for (std::size_t c = 0; c < statistics.size(); ++c) j["channels"].push_back(as_json(h.channels[c], statistics[c]));
     j["metadata"] = nlohmann::json::object();
@@ -112,6 +113,7 @@ void print_image_info(const std::filesystem::path& file, bool json) {
   }
   fmt::print("file      {}\nsize      {}x{}\ndata      {}\ndisplay   {}\n", file.string(), h.data.width, h.data.height,
              as_text(h.data), as_text(h.display));
+  if (h.parts > 1) fmt::print("parts     {}, as layers\n", h.parts);
   for (std::size_t c = 0; c < statistics.size(); ++c) {
     const Statistics& s = statistics[c];
     fmt::print("channel   {}", printable(h.channels[c]));

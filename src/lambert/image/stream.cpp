@@ -20,8 +20,12 @@ bool exceeds_half(float v) { return std::abs(v) > 65504 && std::isfinite(v); }
 }  // namespace
 
 ImageHeader header_of(const Image& image) {
-  return {image.data_window(), image.display_window(), image.channels(),
-          image.metadata,      image.attributes,       std::ranges::any_of(image.pixels(), exceeds_half)};
+  return {.data = image.data_window(),
+          .display = image.display_window(),
+          .channels = image.channels(),
+          .metadata = image.metadata,
+          .attributes = image.attributes,
+          .full_floats = std::ranges::any_of(image.pixels(), exceeds_half)};
 }
 
 Image image_of(const ImageHeader& header) {

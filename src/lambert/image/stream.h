@@ -20,6 +20,7 @@ struct ImageHeader {
   std::map<std::string, std::string> metadata;
   std::map<std::string, Attribute> attributes;
   bool full_floats = false;  ///< colours are stored as full floats, or are more than a half can hold
+  int parts = 1;             ///< of the file that was read; more than one have become layers
 
   std::size_t row_size() const { return static_cast<std::size_t>(data.width) * channels.size(); }  ///< in floats
 };

@@ -20,6 +20,7 @@ class Band {
   /// Row `y` of the plane, in the window.
   std::span<float> row(std::size_t channel, int y) { return {pixels_.get() + offset(channel, y), width()}; }
   std::span<const float> row(std::size_t channel, int y) const { return {pixels_.get() + offset(channel, y), width()}; }
+  std::span<float> pixels() { return {pixels_.get(), channels_ * width() * static_cast<std::size_t>(window_.height)}; }
   std::span<float> plane(std::size_t channel) {
     return {pixels_.get() + offset(channel, window_.y), width() * static_cast<std::size_t>(window_.height)};
   }

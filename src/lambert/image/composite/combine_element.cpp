@@ -1,5 +1,7 @@
 #include "lambert/image/composite/elements.h"
 
+#include "lambert/base/parallel.h"
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -41,17 +43,16 @@ class PairElement : public Element {
     if (a_first && !is_empty(part)) a = a_->pull(part, pool);
     Band b = with_all_channels(b_->pull(region, pool), pool);
     if (!a_first && !is_empty(part)) a = a_->pull(part, pool);
-    nothing_.assign(static_cast<std::size_t>(std::max(part.width, 1)), 0.0f);
-    for (int y = region.y; y < region.y + region.height; ++y) {
-      if (!a || y < part.y || y >= part.y + part.height) {
-        alone(b, y, 0, b.width());
-        continue;
-      }
+    for (Channel& c : channels_)
+      if (!c.in_a) c.nothing_row.resize(static_cast<std::size_t>(std::max(part.width, 0)), c.nothing);
+    parallel_for(static_cast<std::size_t>(region.height), [&](std::size_t row) {
+      const int y = region.y + static_cast<int>(row);
+      if (!a || y < part.y || y >= part.y + part.height) return alone(b, y, 0, b.width());
       const auto left = static_cast<std::size_t>(part.x - region.x), width = static_cast<std::size_t>(part.width);
       alone(b, y, 0, left);
       alone(b, y, left + width, b.width() - left - width);
       combine_rows(*a, b, y, left, width);
-    }
+    });
     if (a) pool.give(std::move(*a));
     return b;
   }
@@ -60,20 +61,20 @@ class PairElement : public Element {
   /// Pixels [x, x + n) of the row where A is nothing.
   virtual void alone(Band& b, int y, std::size_t x, std::size_t n) const = 0;
   /// Pixels [x, x + n) of the row, which is all of A's row.
-  virtual void combine_rows(const Band& a, Band& b, int y, std::size_t x, std::size_t n) = 0;
+  virtual void combine_rows(const Band& a, Band& b, int y, std::size_t x, std::size_t n) const = 0;
 
   struct Channel {
     std::optional<std::size_t> in_a;
     bool sampled;
     float nothing;
+    std::vector<float> nothing_row = {};  // where A has no such channel
   };
   const Channel& channel(std::size_t c) const { return channels_[c]; }
 
   /// A's row of a channel of the result, of nothing where it has none.
-  std::span<const float> row_of_a(const Band& a, std::size_t c, int y) {
+  std::span<const float> row_of_a(const Band& a, std::size_t c, int y) const {
     if (channels_[c].in_a) return a.row(*channels_[c].in_a, y);
-    std::ranges::fill(nothing_, channels_[c].nothing);
-    return nothing_;
+    return channels_[c].nothing_row;
   }
 
  private:
@@ -92,7 +93,6 @@ class PairElement : public Element {
 
   ElementPtr a_, b_;
   std::vector<Channel> channels_;
-  std::vector<float> nothing_;
 };
 
 class CombinedElement final : public PairElement {
@@ -105,7 +105,7 @@ class CombinedElement final : public PairElement {
     for (std::size_t c = 0; c < shape_.channels.size(); ++c)
       std::ranges::fill(b.row(c, y).subspan(x, n), channel(c).nothing);
   }
-  void combine_rows(const Band& a, Band& b, int y, std::size_t x, std::size_t n) override {
+  void combine_rows(const Band& a, Band& b, int y, std::size_t x, std::size_t n) const override {
     const std::span<const float> alpha_a = a.row(alpha_channel, y);
     const std::span<float> alpha_b = b.row(alpha_channel, y).subspan(x, n);
     for (std::size_t c = 0; c < shape_.channels.size(); ++c) {
@@ -129,15 +129,15 @@ class DepthElement final : public PairElement {
  private:
   void alone(Band&, int, std::size_t, std::size_t) const override {}
 
-  void combine_rows(const Band& a, Band& b, int y, std::size_t x, std::size_t n) override {
+  void combine_rows(const Band& a, Band& b, int y, std::size_t x, std::size_t n) const override {
     constexpr float far = std::numeric_limits<float>::infinity();
     const std::span<const float> alpha_a = a.row(alpha_channel, y), depth_a = row_of_a(a, z_, y);
     const std::span<float> alpha_b = b.row(alpha_channel, y).subspan(x, n), depth_b = b.row(z_, y).subspan(x, n);
-    front_.resize(n);
+    std::vector<float> front(n);  // 1 where A is
     for (std::size_t i = 0; i < n; ++i) {
       const float za = alpha_a[i] > 0 && depth_a[i] < far ? depth_a[i] : far;
       const float zb = alpha_b[i] > 0 && depth_b[i] < far ? depth_b[i] : far;
-      front_[i] = za <= zb ? 1.0f : 0.0f;
+      front[i] = za <= zb ? 1.0f : 0.0f;
       depth_b[i] = za <= zb ? za : zb;
     }
     for (std::size_t c = 0; c < shape_.channels.size(); ++c) {
@@ -145,36 +145,35 @@ class DepthElement final : public PairElement {
       const std::span<float> to = b.row(c, y).subspan(x, n);
       const std::span<const float> from = row_of_a(a, c, y);
       if (channel(c).sampled)
-        choose(from, alpha_a, alpha_b, to);
+        choose(front, from, alpha_a, alpha_b, to);
       else
-        mix(from, alpha_a, alpha_b, to);
+        mix(front, from, alpha_a, alpha_b, to);
     }
     for (std::size_t i = 0; i < n; ++i) {
       const float ca = coverage(alpha_a[i]), cb = coverage(alpha_b[i]);
-      alpha_b[i] = front_[i] > 0 ? seen(1, alpha_a[i]) + seen(1 - ca, alpha_b[i])
-                                 : seen(1, alpha_b[i]) + seen(1 - cb, alpha_a[i]);
+      alpha_b[i] = front[i] > 0 ? seen(1, alpha_a[i]) + seen(1 - ca, alpha_b[i])
+                                : seen(1, alpha_b[i]) + seen(1 - cb, alpha_a[i]);
     }
   }
 
   static float seen(float weight, float value) { return weight > 0 ? weight * value : 0.0f; }
 
-  void mix(std::span<const float> from, std::span<const float> alpha_a, std::span<const float> alpha_b,
-           std::span<float> to) const {
+  static void mix(std::span<const float> front, std::span<const float> from, std::span<const float> alpha_a,
+                  std::span<const float> alpha_b, std::span<float> to) {
     for (std::size_t i = 0; i < to.size(); ++i) {
       const float behind_a = seen(1 - coverage(alpha_a[i]), to[i]), behind_b = seen(1 - coverage(alpha_b[i]), from[i]);
-      to[i] = front_[i] > 0 ? from[i] + behind_a : to[i] + behind_b;
+      to[i] = front[i] > 0 ? from[i] + behind_a : to[i] + behind_b;
     }
   }
-  void choose(std::span<const float> from, std::span<const float> alpha_a, std::span<const float> alpha_b,
-              std::span<float> to) const {
+  static void choose(std::span<const float> front, std::span<const float> from, std::span<const float> alpha_a,
+                     std::span<const float> alpha_b, std::span<float> to) {
     for (std::size_t i = 0; i < to.size(); ++i) {
-      const bool a = front_[i] > 0 ? alpha_a[i] > 0 : !(alpha_b[i] > 0) && alpha_a[i] > 0;
+      const bool a = front[i] > 0 ? alpha_a[i] > 0 : !(alpha_b[i] > 0) && alpha_a[i] > 0;
       to[i] = a ? from[i] : to[i];
     }
   }
 
   std::size_t z_;
-  std::vector<float> front_;
 };
 
 }  // namespace

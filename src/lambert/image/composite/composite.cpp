@@ -1,6 +1,7 @@
 #include "lambert/image/composite/composite.h"
 
 #include "lambert/base/error.h"
+#include "lambert/base/parallel.h"
 #include "lambert/image/composite/plan.h"
 #include "lambert/image/composite/sequence.h"
 
@@ -22,8 +23,9 @@ struct Job {
   int band_rows = 64;
 };
 
-/// Rows of a band: enough that most of what is asked for around it is not asked for twice.
-int rows_for(int margin) { return std::clamp((4 * margin + 15) / 16 * 16, 64, 512); }
+/// Rows of a band: enough that several threads can decode them, or else few that stay in a cache; and enough that most
+/// of what is asked for around it is not asked for twice.
+int rows_for(int margin, bool decoding) { return std::clamp((4 * margin + 15) / 16 * 16, decoding ? 64 : 16, 512); }
 
 Job prepare(const Expression& expression, bool extras, Pictures& pictures, const CompositeSettings& settings) {
   Job job{.root = plan(expression, settings.frame, file_at, {.all = extras}, pictures, settings.text, settings.name)};
@@ -43,20 +45,21 @@ Job prepare(const Expression& expression, bool extras, Pictures& pictures, const
                 std::to_string(job.header.data.height) + " pixels; 'crop' the elements");
   job.header.channels = shape.channels;
   if (!shape.has_alpha) job.header.channels.erase(job.header.channels.begin() + alpha_channel);
-  job.band_rows = rows_for(job.root->margin());
+  job.band_rows = rows_for(job.root->margin(), pictures.any_in_bands());
   return job;
 }
 
 void interleave(const Shape& shape, const Band& band, std::span<float> to) {
   const std::size_t stride = shape.channels.size() - (shape.has_alpha ? 0 : 1), width = band.width();
-  for (int y = band.window().y; y < band.window().y + band.window().height; ++y) {
-    float* row = to.data() + static_cast<std::size_t>(y - band.window().y) * width * stride;
+  parallel_for(static_cast<std::size_t>(band.window().height), [&](std::size_t i) {
+    const int y = band.window().y + static_cast<int>(i);
+    float* row = to.data() + i * width * stride;
     if (stride == 4 && shape.has_alpha) {
       const auto r = band.row(red_channel, y), g = band.row(green_channel, y), b = band.row(blue_channel, y),
                  a = band.row(alpha_channel, y);
       for (std::size_t x = 0; x < width; ++x)
         row[4 * x] = r[x], row[4 * x + 1] = g[x], row[4 * x + 2] = b[x], row[4 * x + 3] = a[x];
-      continue;
+      return;
     }
     std::size_t k = 0;
     for (std::size_t c = 0; c < shape.channels.size(); ++c) {
@@ -65,27 +68,23 @@ void interleave(const Shape& shape, const Band& band, std::span<float> to) {
       for (std::size_t x = 0; x < width; ++x) row[x * stride + k] = from[x];
       ++k;
     }
-  }
+  });
 }
 
-/// Calls `take` with the rows of band after band.
-CompositeReport run(Job& job, const CompositeSettings& settings,
-                    const std::function<void(int y, std::span<const float>)>& take) {
-  BandPool pool;
+/// Calls `take` with band after band.
+CompositeReport run(Job& job, const CompositeSettings& settings, BandPool& pool,
+                    const std::function<void(const Band&)>& take) {
   CompositeReport report{.data = job.header.data};
-  std::vector<float> rows;
   const Window& data = job.header.data;
   for (int y = 0; y < data.height; y += job.band_rows) {
     const Window region{data.x, data.y + y, data.width, std::min(job.band_rows, data.height - y)};
     Band band = job.root->pull(region, pool);
-    rows.resize(job.header.row_size() * static_cast<std::size_t>(region.height));
-    interleave(job.root->shape(), band, rows);
+    take(band);
     pool.give(std::move(band));
-    take(y, rows);
     ++report.bands;
     if (settings.progress) settings.progress(static_cast<double>(y + region.height) / data.height);
   }
-  report.bytes_in_bands = (pool.peak() + rows.size()) * sizeof(float);
+  report.bytes_in_bands = pool.peak() * sizeof(float);
   return report;
 }
 
@@ -99,8 +98,12 @@ CompositeReport composite_to_files(const Expression& expression, const std::vect
   Job job = prepare(expression, extras, pictures, settings);
   std::vector<ImageWriter> writers;
   for (const std::filesystem::path& path : outputs) writers.emplace_back(path, job.header, options);
-  const CompositeReport report = run(job, settings, [&](int, std::span<const float> rows) {
-    for (ImageWriter& writer : writers) writer.write(rows);
+  BandPool pool;
+  const CompositeReport report = run(job, settings, pool, [&](const Band& band) {
+    Band rows = pool.take(band.window(), job.header.channels.size());
+    interleave(job.root->shape(), band, rows.pixels());
+    for (ImageWriter& writer : writers) writer.write(rows.pixels());
+    pool.give(std::move(rows));
   });
   for (ImageWriter& writer : writers) writer.close();
   return report;
@@ -112,9 +115,10 @@ Image composite(const Expression& expression, Pictures& pictures, const Composit
   image.place({job.header.data.x, job.header.data.y}, job.header.display);
   image.metadata = job.header.metadata;
   image.attributes = job.header.attributes;
-  run(job, settings, [&](int y, std::span<const float> rows) {
-    std::ranges::copy(rows,
-                      image.pixels().subspan(static_cast<std::size_t>(y) * job.header.row_size(), rows.size()).begin());
+  BandPool pool;
+  run(job, settings, pool, [&](const Band& band) {
+    const std::size_t first = static_cast<std::size_t>(band.window().y - job.header.data.y) * job.header.row_size();
+    interleave(job.root->shape(), band, image.pixels().subspan(first));
   });
   return image;
 }

@@ -30,12 +30,12 @@ struct CompositeReport {
 };
 
 /// Evaluates the tree in bands of rows and writes each file as write_image() would. Memory: a number of bands that
-/// grows with the logarithm of the tree's size; a band is 64 rows, or more where blurs and edges look far. Extra
-/// channels are kept in .exr files. Throws Error; no file is touched then.
+/// grows with the logarithm of the tree's size; a band is 64 rows (16 where nothing is decoded on the way), or more
+/// where blurs and edges look far. Extra channels are kept in .exr files. Throws Error; no file is touched then.
 CompositeReport composite_to_files(const Expression& expression, const std::vector<std::filesystem::path>& outputs,
                                    const WriteOptions& options = {}, const CompositeSettings& settings = {});
 
-/// The same to an image with all channels, of pictures that may be anywhere (names are frames' already).
+/// The same to an image with all channels; `pictures` may hold images in memory.
 Image composite(const Expression& expression, Pictures& pictures, const CompositeSettings& settings = {});
 
 }  // namespace lambert::composite

@@ -18,29 +18,6 @@ namespace {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 
-class MemoryPictures final : public Pictures {
- public:
-  void add(const std::string& name, Image image) {
-    headers_[name] = header_of(image);
-    images_[name] = std::move(image);
-  }
-  const ImageHeader& header(const std::string& file) override {
-    if (!headers_.contains(file)) throw Error(file + ": there is no such file");
-    return headers_.at(file);
-  }
-  void read(const std::string& file, int y0, int y1, std::span<float> to) override {
-    const Image& image = images_.at(file);
-    auto at = to.begin();
-    for (int y = y0; y < y1; ++y) at = std::ranges::copy(image.row(y), at).out;
-    asked = std::max(asked, y1 - y0);
-  }
-  int asked = 0;
-
- private:
-  std::map<std::string, Image> images_;
-  std::map<std::string, ImageHeader> headers_;
-};
-
 /// One colour in a rectangle of the plane.
 Image patch(const Window& at, const Window& display, Pixel p, std::vector<std::string> channels = rgba_channels()) {
   Image image(at.width, at.height, channels);
@@ -57,7 +34,7 @@ Pixel pixel_at(const Image& image, int x, int y) {
 }
 
 struct Plane : ::testing::Test {
-  MemoryPictures pictures;
+  Pictures pictures;
   Image eval(const std::string& text, int frame = 1) {
     CompositeSettings settings{.frame = frame, .text = text};
     return composite(parse_expression(text), pictures, settings);
@@ -156,6 +133,7 @@ TEST_F(Plane, LayersFollow) {
   EXPECT_THROW(eval("a.exr channel Z"), Error);
 }
 
+// rows: AA-07 AA-10
 TEST_F(Plane, GeneratorsAreMattes) {
   const Image half = generated("rectangle(0.5, 0, 2, 1.25)", 4, 2);
   EXPECT_EQ(pixel_at(half, 0, 0).a, 0.5f);
@@ -176,6 +154,47 @@ TEST_F(Plane, GeneratorsAreMattes) {
   const Image cut = generated("polygon(-1e6,-1e6, 1e6,-1e6, 1e6,1e6, -1e6,1e6) crop 0 0 3 3", 3, 3);
   for (const float v : cut.pixels()) EXPECT_NEAR(v, 1, 1e-5f);
   EXPECT_THROW(eval("disk(1,1,1)"), Error) << "how large is it?";
+}
+
+// A line one pixel high and of slope 0.3 as a thin polygon: each column's coverages add up to 1, and two polygons that
+// share an edge cover what they share exactly once.
+// rows: AA-07 AA-09 AA-10
+TEST_F(Plane, CoverageOfAThinPolygonAddsUp) {
+  const Image line = generated("polygon(0,1, 20,7, 20,8, 0,2)", 20, 9);
+  const Window w = line.data_window();
+  for (int x = 0; x < 20; ++x) {
+    float sum = 0;
+    for (int y = 0; y < w.height; ++y) sum += line.at(x - w.x, y, 3);
+    EXPECT_NEAR(sum, 1, 1e-5f) << "column " << x;
+  }
+  const Image both = generated("polygon(1,1, 9,2, 8,8) plus polygon(1,1, 8,8, 2,9)", 10, 10),
+              whole = generated("polygon(1,1, 9,2, 8,8, 2,9)", 10, 10);
+  ASSERT_EQ(both.data_window(), whole.data_window());
+  for (std::size_t i = 0; i < both.pixels().size(); ++i) EXPECT_NEAR(both.pixels()[i], whole.pixels()[i], 1e-6f);
+}
+
+// A picture of many elements: a glow that hides nothing, a matted subject, a darkened copy as its shadow, a plate.
+// rows: AA-31 AA-32
+TEST_F(Plane, APictureOfManyElements) {
+  const Window frame{0, 0, 5, 4};
+  const Image subject = noise(5, 4, rgba_channels()), plate = noise(5, 4, rgb_channels(), 3);
+  pictures.add("subject.exr", subject);
+  pictures.add("plate.exr", plate);
+  pictures.add("matte.exr", patch(frame, frame, {0, 0, 0, 0.75f}));
+  const Image image = eval(
+      "(subject.exr opaque 0 dissolve 0.5) plus ((subject.exr mask matte.exr) over ((subject.exr darken 0 dissolve 0.6)"
+      " over plate.exr))");
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 5; ++x) {
+      const Pixel s = pixel_at(subject, x, y), p = pixel_at(plate, x, y);
+      const Pixel glow{0.5f * s.r, 0.5f * s.g, 0.5f * s.b, 0}, matted = 0.75f * s, shadow{0, 0, 0, 0.6f * s.a};
+      const Pixel behind = shadow + (1 - shadow.a) * p;
+      const Pixel expected = glow + (matted + (1 - matted.a) * behind), seen = pixel_at(image, x, y);
+      EXPECT_NEAR(seen.r, expected.r, 1e-6f);
+      EXPECT_NEAR(seen.g, expected.g, 1e-6f);
+      EXPECT_NEAR(seen.b, expected.b, 1e-6f);
+      EXPECT_NEAR(seen.a, 1, 1e-6f);
+    }
 }
 
 TEST_F(Plane, ElementsMove) {
@@ -205,7 +224,6 @@ TEST_F(Plane, BandsDoNotShow) {
           EXPECT_NEAR(row.at(x, 0, c), whole.at(x, y, c), 2e-6f) << text << " row " << y;
     }
   }
-  EXPECT_LE(pictures.asked, 16) << "files are read in small pieces";
 }
 
 TEST_F(Plane, BlurKeepsTheLightAndErodeKeepsColours) {
@@ -244,7 +262,7 @@ TEST_F(Plane, DeepTreesNeedFewBands) {
     };
     place(e);
     const CompositeReport report = composite_to_files(e, {folder.path() / "out.exr"});
-    EXPECT_LE(report.bytes_in_bands, 3u * 64 * 40 * 4 * sizeof(float)) << "two bands and the rows written";
+    EXPECT_LE(report.bytes_in_bands, 3u * 64 * 40 * 4 * sizeof(float)) << "two bands and the rows read or written";
   }
 }
 
@@ -255,9 +273,7 @@ TEST(Pictures, FilesThatAreDecodedWholeMayBeSpooled) {
   write_image(path, image);
   Pictures spooled(2, 0), kept;
   std::vector<float> a(13 * 3 * 5), b(a.size());
-  spooled.read(path, 30, 35, a);
-  kept.read(path, 30, 35, b);
-  EXPECT_EQ(a, b);
+  EXPECT_TRUE(std::ranges::equal(spooled.rows(path, 30, 35, a), kept.rows(path, 30, 35, b)));
   EXPECT_TRUE(std::equal(a.begin(), a.end(), image.row(30).begin()));
 }
 

@@ -36,8 +36,8 @@ struct Row {
   int y;
 };
 using RowFunction = std::function<void(const Row&)>;
-/// Changes pixels one by one. What is outside of `shape` is set to nothing. Extra channels stay as far as they are in
-/// `shape`, whose channels are the first ones of the first input's.
+/// Changes pixels one by one; several rows at a time. What is outside of `shape` is set to nothing. Extra channels stay
+/// as far as they are in `shape`, whose channels are the first ones of the first input's.
 ElementPtr rowwise(Shape shape, ElementPtr input, ElementPtr second, RowFunction function);
 /// All channels from a function of the pixel centre.
 using Generator = std::function<float(float x, float y)>;

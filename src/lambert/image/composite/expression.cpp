@@ -32,7 +32,7 @@ void append(std::string& text, const Number& number) {
 
 /// Numbers and options, the latter where they are not the default. `separator` also stands before the first one.
 void append_numbers(std::string& text, const Expression& e, std::string_view separator, std::string_view first) {
-  const std::vector<Parameter>& parameters = e.word->parameters;
+  const Parameters& parameters = e.word->parameters;
   for (std::size_t i = 0; i < e.numbers.size(); ++i) {
     const bool option = i < parameters.size() && parameters[i].otherwise;
     if (option && e.numbers[i] == Number{*parameters[i].otherwise, {}}) continue;

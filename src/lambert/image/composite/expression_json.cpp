@@ -88,7 +88,7 @@ class Reader {
 
   void numbers(const JsonValue& v, Expression& e) const {
     const JsonValue* given = member(v, "numbers");
-    const std::vector<Parameter>& parameters = e.word->parameters;
+    const Parameters& parameters = e.word->parameters;
     if (given && given->kind == JsonKind::array) {
       const bool fits = e.word->more ? given->values.size() >= parameters.size() && given->values.size() % 2 == 0
                                      : given->values.size() <= parameters.size();
@@ -215,7 +215,7 @@ void append(std::string& text, const Expression& e, const std::string& indent) {
     text += ", \"text\": ";
     append_string(text, e.text);
   }
-  const std::vector<Parameter>& parameters = e.word->parameters;
+  const Parameters& parameters = e.word->parameters;
   for (std::size_t i = 0; i < e.numbers.size(); ++i) {
     text += i ? ", " : (e.word->more ? ", \"numbers\": [" : ", \"numbers\": {");
     if (!e.word->more) {

@@ -1,7 +1,11 @@
 #pragma once
 /// The words of compositing expressions, in one table that parser, printer, JSON and evaluation share.
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -80,8 +84,25 @@ enum class Verb : std::uint8_t {
 /// A number that a word takes; with `otherwise` it may be left out and is given as name=value.
 struct Parameter {
   std::string_view name;
-  double low, high;  ///< the range, ends included
-  std::optional<double> otherwise;
+  double low = 0, high = 0;  ///< the range, ends included
+  std::optional<double> otherwise = std::nullopt;
+};
+
+/// Those without a default first.
+class Parameters {
+ public:
+  constexpr Parameters(std::initializer_list<Parameter> list) : count_(list.size()) {
+    std::ranges::copy(list, all_.begin());
+  }
+  constexpr std::size_t size() const { return count_; }
+  constexpr bool empty() const { return count_ == 0; }
+  constexpr const Parameter* begin() const { return all_.data(); }
+  constexpr const Parameter* end() const { return all_.data() + count_; }
+  constexpr const Parameter& operator[](std::size_t i) const { return all_[i]; }
+
+ private:
+  std::array<Parameter, 6> all_{};
+  std::size_t count_;
 };
 
 struct Word {
@@ -89,10 +110,10 @@ struct Word {
   Verb verb;
   Form form;
   std::string_view summary;
-  std::vector<Parameter> parameters;  ///< those without a default first
-  std::string_view text = {};         ///< what the name it takes names; empty: it takes none
-  bool second = false;                ///< a postfix word that takes an element
-  bool more = false;                  ///< any number of further pairs of numbers, as those before
+  Parameters parameters = {};
+  std::string_view text = {};  ///< what the name it takes names; empty: it takes none
+  bool second = false;         ///< a postfix word that takes an element
+  bool more = false;           ///< any number of further pairs of numbers, as those before
 };
 
 /// All words in the order in which they are explained.

@@ -153,7 +153,7 @@ class Parser {
 
   /// name=number, at its place among the numbers; the others without a value get their defaults.
   void option(Expression& tree, std::vector<std::string>& given) {
-    const std::vector<Parameter>& parameters = tree.word->parameters;
+    const Parameters& parameters = tree.word->parameters;
     const auto found = std::find_if(parameters.begin(), parameters.end(),
                                     [&](const Parameter& p) { return p.otherwise && p.name == token().text; });
     if (found == parameters.end()) {
@@ -175,7 +175,7 @@ class Parser {
   }
 
   static void finish(Expression& tree) {
-    const std::vector<Parameter>& parameters = tree.word->parameters;
+    const Parameters& parameters = tree.word->parameters;
     while (tree.numbers.size() < parameters.size())
       tree.numbers.push_back({.value = *parameters[tree.numbers.size()].otherwise});
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 namespace lambert::composite {
 namespace {
@@ -36,37 +37,57 @@ void read_all(int descriptor, std::span<float> to, std::uint64_t offset) {
 
 }  // namespace
 
+void Pictures::add(const std::string& name, Image image) {
+  Entry& entry = entries_[name];
+  entry = {};
+  entry.header = header_of(image);
+  entry.whole = std::move(image);
+}
+
 const ImageHeader& Pictures::header(const std::string& file) {
   const auto found = entries_.find(file);
   return found != entries_.end() ? found->second.header : open(file).header;
 }
 
-void Pictures::read(const std::string& file, int y0, int y1, std::span<float> to) {
+bool Pictures::any_in_bands() const {
+  return std::ranges::any_of(entries_, [](const auto& e) { return !e.second.whole; });
+}
+
+std::span<const float> Pictures::rows(const std::string& file, int y0, int y1, std::span<float> scratch) {
   Entry& entry = open(file);
-  if (entry.reader) return entry.reader->read(y0, y1, to);
-  const std::uint64_t offset = static_cast<std::uint64_t>(y0) * entry.header.row_size() * sizeof(float);
-  read_all(::fileno(entry.spool.get()), to, offset);
+  const std::size_t row = entry.header.row_size(), first = static_cast<std::size_t>(y0) * row,
+                    count = static_cast<std::size_t>(y1 - y0) * row;
+  if (entry.whole) return std::as_const(*entry.whole).pixels().subspan(first, count);
+  const std::span<float> to = scratch.first(count);
+  if (entry.reader)
+    entry.reader->read(y0, y1, to);
+  else
+    read_all(::fileno(entry.spool.get()), to, first * sizeof(float));
+  return to;
 }
 
 Pictures::Entry& Pictures::open(const std::string& file) {
   Entry& entry = entries_[file];
   entry.used = ++clock_;
-  if (entry.reader || entry.spool) return entry;
+  if (entry.reader || entry.whole || entry.spool) return entry;
   try {
-    entry.reader = std::make_unique<ImageReader>(file);
-    entry.header = entry.reader->header();
-    entry.whole = !is_exr(file);
+    if (is_exr(file)) {
+      entry.reader = std::make_unique<ImageReader>(file);
+      entry.header = entry.reader->header();
+    } else {
+      entry.whole = read_image(file);
+      entry.header = header_of(*entry.whole);
+    }
   } catch (...) {
     entries_.erase(file);
     throw;
   }
-  if (!entry.whole) {
+  if (entry.reader)
     close_oldest(entry);
-  } else if (kept_ + bytes_of(entry.header) > most_kept_) {
+  else if (kept_ + bytes_of(entry.header) > most_kept_)
     spool(entry);
-  } else {
+  else
     kept_ += bytes_of(entry.header);
-  }
   return entry;
 }
 
@@ -74,26 +95,23 @@ void Pictures::close_oldest(const Entry& but) {
   std::size_t open = 0;
   Entry* oldest = nullptr;
   for (auto& [name, entry] : entries_) {
-    if (!entry.reader || entry.whole) continue;
+    if (!entry.reader) continue;
     ++open;
     if (&entry != &but && (!oldest || entry.used < oldest->used)) oldest = &entry;
   }
   if (open > most_open_ && oldest) oldest->reader.reset();
 }
 
-void Pictures::spool(Entry& entry) const {
+void Pictures::spool(Entry& entry) {
   entry.spool = std::shared_ptr<std::FILE>(std::tmpfile(), [](std::FILE* f) {
     if (f) std::fclose(f);
   });
   if (!entry.spool) spool_error("cannot be made");
-  std::vector<float> row(entry.header.row_size());
-  for (int y = 0; y < entry.header.data.height; ++y) {
-    entry.reader->read(y, y + 1, row);
-    if (std::fwrite(row.data(), sizeof(float), row.size(), entry.spool.get()) != row.size())
-      spool_error("cannot be written");
-  }
-  if (std::fflush(entry.spool.get()) != 0) spool_error("cannot be written");
-  entry.reader.reset();
+  const std::span<const float> pixels = entry.whole->pixels();
+  if (std::fwrite(pixels.data(), sizeof(float), pixels.size(), entry.spool.get()) != pixels.size() ||
+      std::fflush(entry.spool.get()) != 0)
+    spool_error("cannot be written");
+  entry.whole.reset();
 }
 
 }  // namespace lambert::composite

@@ -28,12 +28,13 @@ constexpr std::array<Line, operator_count> table = {{
     {"plus", {Factor::one, Factor::one}},
 }};
 
+/// The product is taken even where it does not count, so that the loops below have no branches.
 template <Factor f>
 float part(float value, float alpha) {
   if constexpr (f == Factor::zero) return 0;
   if constexpr (f == Factor::one) return value;
-  const float weight = value_of(f, alpha);
-  return weight > 0 ? weight * value : 0.0f;
+  const float weight = f == Factor::other ? coverage(alpha) : 1 - coverage(alpha), product = weight * value;
+  return weight > 0 ? product : 0.0f;
 }
 
 template <std::size_t i>

@@ -3,6 +3,7 @@
 /// elements A and B that each cover a part of a pixel join there, when nothing is known of the shapes of these parts
 /// but that they are independent.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -24,7 +25,7 @@ constexpr Pixel operator*(float s, Pixel p) { return {s * p.r, s * p.g, s * p.b,
 inline constexpr Pixel clear_pixel{}, black_pixel{0, 0, 0, 1};
 
 /// An alpha as coverage: in [0, 1], NaN as 0.
-constexpr float coverage(float alpha) { return alpha > 0 ? (alpha < 1 ? alpha : 1.0f) : 0.0f; }
+constexpr float coverage(float alpha) { return std::min(std::max(0.0f, alpha), 1.0f); }
 
 /// The four parts of a pixel that two elements make; they add up to 1.
 struct CoverageAreas {

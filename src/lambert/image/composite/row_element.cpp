@@ -1,5 +1,7 @@
 #include "lambert/image/composite/elements.h"
 
+#include "lambert/base/parallel.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -30,9 +32,11 @@ class RowElement final : public Element {
     Band band = input_->pull(region, pool);
     if (second_ && !second_first) second = second_->pull(region, pool);
     const Band* other = second ? &*second : nullptr;
-    for (int y = region.y; y < region.y + region.height; ++y)
+    parallel_for(static_cast<std::size_t>(region.height), [&](std::size_t row) {
+      const int y = region.y + static_cast<int>(row);
       function_({band.row(red_channel, y), band.row(green_channel, y), band.row(blue_channel, y),
                  band.row(alpha_channel, y), band, other, y});
+    });
     if (shape_.data) clear_outside(shape_, band);
     if (second) pool.give(std::move(*second));
     return band;

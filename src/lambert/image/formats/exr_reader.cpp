@@ -217,6 +217,7 @@ void ExrReader::State::open() {
                  "its display window is " + std::to_string(display.width()) + "x" + std::to_string(display.height()));
   header.data = window_of(box);
   header.display = window_of(display);
+  header.parts = file.parts();
   read_attributes(h, header);
   if (file.parts() > 1) header.metadata.erase("name"), header.metadata.erase("view");
 

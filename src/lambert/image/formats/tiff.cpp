@@ -275,9 +275,10 @@ Texels decode_tiff(Bytes data, const std::string& name, DisplayNotes* notes) {
   check_image_size(name, width, height, data.size(), 16384);
   const auto photometric = field<std::uint16_t>(tiff.get(), TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK),
              compression = field<std::uint16_t>(tiff.get(), TIFFTAG_COMPRESSION, COMPRESSION_NONE);
-  const bool log_luv =
-      photometric == PHOTOMETRIC_LOGLUV && (compression == COMPRESSION_SGILOG || compression == COMPRESSION_SGILOG24);
-  if (log_luv) TIFFSetField(tiff.get(), TIFFTAG_SGILOGDATAFMT, SGILOGDATAFMT_FLOAT);
+  const bool logarithmic = compression == COMPRESSION_SGILOG || compression == COMPRESSION_SGILOG24;
+  const bool log_luv = logarithmic && photometric == PHOTOMETRIC_LOGLUV;
+  const bool log_l = logarithmic && photometric == PHOTOMETRIC_LOGL;
+  if (log_luv || log_l) TIFFSetField(tiff.get(), TIFFTAG_SGILOGDATAFMT, SGILOGDATAFMT_FLOAT);
   const auto format = field<std::uint16_t>(tiff.get(), TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
   const Layout l{
       .width = static_cast<int>(width),
@@ -287,7 +288,7 @@ Texels decode_tiff(Bytes data, const std::string& name, DisplayNotes* notes) {
       .floating = format == SAMPLEFORMAT_IEEEFP,
       .planes = field<std::uint16_t>(tiff.get(), TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG) == PLANARCONFIG_SEPARATE};
   const bool colour = photometric == PHOTOMETRIC_RGB || log_luv;
-  const bool grey = photometric == PHOTOMETRIC_MINISBLACK || photometric == PHOTOMETRIC_MINISWHITE;
+  const bool grey = photometric == PHOTOMETRIC_MINISBLACK || photometric == PHOTOMETRIC_MINISWHITE || log_l;
   const bool known_bits = l.floating ? l.bits == 16 || l.bits == 32 || l.bits == 64
                                      : format == SAMPLEFORMAT_UINT && (l.bits == 8 || l.bits == 16 || l.bits == 32);
   const int colours = colour ? 3 : 1;

@@ -129,6 +129,51 @@ TEST(Tiff, SixteenBitsAndFloats) {
   }
 }
 
+TEST(Tiff, Halves) {
+  for (const bool big : {false, true}) {
+    std::string halves;  // 0, -1.5, 65504, 2^-24, 1, 1/3
+    for (const int h : {0x0000, 0xbe00, 0x7bff, 0x0001, 0x3c00, 0x3555}) append(halves, static_cast<std::uint16_t>(h));
+    const Texels t = read(tiff({.channels = 1,
+                                .bits = 16,
+                                .photometric = PHOTOMETRIC_MINISBLACK,
+                                .format = SAMPLEFORMAT_IEEEFP,
+                                .big_endian = big},
+                               halves));
+    EXPECT_TRUE(t.linear);
+    EXPECT_EQ(t.floats, (std::vector<float>{0, -1.5f, 65504, 0x1p-24f, 1, 0x1.554p-2f}));
+  }
+}
+
+// Ward, "LogLuv Encoding for Full-Gamut, High-Dynamic Range Images", 1998: steps of 0.3 % in luminance and 1/410 in u',
+// v' (32 bits), 1.1 % and coarser ones (24 bits, which end at a luminance of 16). White is (0.9505, 1, 1.0891) in XYZ.
+TEST(Tiff, LogLuv) {
+  std::string xyz, luminances;
+  for (const float y : {0.01f, 1.0f, 15.0f, 0.5f, 2.0f, 12.0f}) {
+    append(xyz, 0.9505f * y), append(xyz, y), append(xyz, 1.0891f * y);
+    append(luminances, 100 * y);
+  }
+  for (const auto& [compression, tolerance] : {std::pair{COMPRESSION_SGILOG, 0.03f}, {COMPRESSION_SGILOG24, 0.06f}}) {
+    const Texels t = read(tiff({.bits = 32,
+                                .photometric = PHOTOMETRIC_LOGLUV,
+                                .compression = static_cast<std::uint16_t>(compression),
+                                .format = SAMPLEFORMAT_IEEEFP},
+                               xyz));
+    ASSERT_EQ(t.floats.size(), 18u);
+    EXPECT_TRUE(t.linear);
+    const std::array<float, 6> expected{0.01f, 1, 15, 0.5f, 2, 12};
+    for (std::size_t i = 0; i < 18; ++i) EXPECT_NEAR(t.floats[i] / expected[i / 3], 1, tolerance) << compression << i;
+  }
+  const Texels grey = read(tiff({.channels = 1,
+                                 .bits = 32,
+                                 .photometric = PHOTOMETRIC_LOGL,
+                                 .compression = COMPRESSION_SGILOG,
+                                 .format = SAMPLEFORMAT_IEEEFP},
+                                luminances));
+  ASSERT_EQ(grey.floats.size(), 6u);
+  EXPECT_NEAR(grey.floats[2], 1500, 5);
+  EXPECT_NEAR(grey.floats[0], 1, 3e-3f);
+}
+
 TEST(Tiff, AlphaIsStraightHoweverItIsStored) {
   const std::string straight = "\xc8\x64\x32\x80", multiplied = "\x64\x32\x19\x80";
   for (const bool tiled : {false, true}) {
