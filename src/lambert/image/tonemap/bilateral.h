@@ -1,5 +1,5 @@
 #pragma once
-#include "lambert/image/tonemap/plane.h"
+#include "lambert/image/plane.h"
 
 namespace lambert::tone {
 

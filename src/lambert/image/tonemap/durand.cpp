@@ -24,7 +24,7 @@ std::pair<float, float> inner_range(const Plane& plane, float percent) {
 
 /// Takes a smoothed base where under a twentieth of the most pixels support it, all of its own over a quarter.
 Plane certain(Filtered filtered) {
-  const Plane smooth = gaussian_blur(filtered.mean, 2);
+  const Plane smooth = gaussian_blurred(filtered.mean, 2);
   for_rows(smooth.height, [&](int y) {
     float* const base = filtered.mean.row(y).data();
     const float* const other = smooth.row(y).data();

@@ -166,11 +166,11 @@ TEST(Pyramid, KeepsConstantsAndSizes) {
 }
 
 TEST(Blur, KeepsConstantsAndTheVarianceOfAPoint) {
-  const Plane flat = gaussian_blur(Plane(9, 5, 2), 3);
+  const Plane flat = gaussian_blurred(Plane(9, 5, 2), 3);
   for (const float v : flat.values) EXPECT_NEAR(v, 2, 1e-5f);
   Plane point(61, 61);
   point.at(30, 30) = 1;
-  const Plane spread = gaussian_blur(point, 4);
+  const Plane spread = gaussian_blurred(point, 4);
   double variance = 0, sum = 0;
   for (int x = 0; x < 61; ++x)
     for (int y = 0; y < 61; ++y) {

@@ -1,6 +1,6 @@
 #pragma once
 #include "lambert/base/rgb.h"
-#include "lambert/image/tonemap/plane.h"
+#include "lambert/image/plane.h"
 
 namespace lambert::tone {
 
@@ -24,6 +24,11 @@ struct LuminanceMap {
 
   /// The luminance that `percent` of the counted pixels do not exceed.
   float percentile(float percent) const;
+};
+
+/// Red, green and blue apart.
+struct RgbPlanes {
+  Plane r, g, b;
 };
 
 /// Sums over some rows; added up in a fixed order.

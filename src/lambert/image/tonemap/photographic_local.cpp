@@ -14,7 +14,7 @@ Plane PhotographicLocal::map(const LuminanceMap& map) const {
     for (float& v : scaled.row(y)) v *= scale;
   });
   // The paper's profile exp(-r^2/(a s)^2) with a = 1/(2 sqrt 2) has the standard deviation s/4.
-  const auto neighbourhood = [&](float size) { return gaussian_blur(scaled, size / 4); };
+  const auto neighbourhood = [&](float size) { return gaussian_blurred(scaled, size / 4); };
   constexpr float ratio = 1.6f;
   float size = 1;
   Plane centre = neighbourhood(size);
