@@ -2,10 +2,15 @@
 #include "lambert/base/rgb.h"
 #include "lambert/image/plane.h"
 
+#include <limits>
+
 namespace lambert::tone {
 
 /// A radiance above this is taken for infinite: it is shown as white and counts in no statistics.
 inline constexpr float infinite_radiance = 1e10f;
+
+/// A luminance below this, which logarithms cannot take, is black.
+inline constexpr float least_luminance = std::numeric_limits<float>::min();
 
 /// What curves know of a radiance map. Only pixels count whose luminance is above 0 and finite; without any, the values
 /// are those of a grey of 1.
