@@ -1,6 +1,7 @@
 #include "lambert/image/plane.h"
 
 #include "lambert/image/filter/blur.h"
+#include "lambert/image/filter/morphology.h"
 #include "lambert/image/filter/separable.h"
 #include "lambert/image/image.h"
 
@@ -26,6 +27,15 @@ Plane filtered(const Plane& plane, std::span<const double> across, std::span<con
   if (plane.values.empty()) return plane;
   return plane_of(separably_filtered(image_of(plane), convolution_taps(across, plane.width, EdgeMode::clamp),
                                      convolution_taps(down, plane.height, EdgeMode::clamp)));
+}
+
+Plane range_around(const Plane& plane, int radius) {
+  if (plane.values.empty()) return plane;
+  const Image image = image_of(plane);
+  Plane range = plane_of(dilated(image, Vec2i(radius)));
+  const Image least = eroded(image, Vec2i(radius));
+  for (std::size_t i = 0; i < range.values.size(); ++i) range.values[i] -= least.pixels()[i];
+  return range;
 }
 
 Plane gaussian_blurred(const Plane& plane, float sigma) {

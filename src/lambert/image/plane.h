@@ -53,6 +53,9 @@ void for_rows(int height, const Body& body) {
 /// Correlation with the separable kernel across(x) down(y), both of odd length; the border is repeated outwards.
 Plane filtered(const Plane& plane, std::span<const double> across, std::span<const double> down);
 
+/// The greatest less the least value in the square of (2 radius + 1)² pixels around each, within the plane.
+Plane range_around(const Plane& plane, int radius);
+
 /// The Gaussian of standard deviation `sigma` pixels (filter/blur.h); the border is repeated outwards.
 Plane gaussian_blurred(const Plane& plane, float sigma);
 

@@ -138,7 +138,7 @@ Flip flip_shown(const Image& a, const Image& b, const FlipSettings& settings, co
 /// The fit of the ACES curve, x (2.51 x + 0.03) / (x (2.43 x + 0.59) + 0.14), with its exposure of 0.6.
 Rgb aces(Rgb c) {
   const auto curve = [](float x) {
-    x = 0.6f * std::max(x, 0.0f);
+    x = 0.6f * std::clamp(x, 0.0f, 1e9f);  // far above white, its square still finite
     return x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f);
   };
   return {curve(c.r), curve(c.g), curve(c.b)};
