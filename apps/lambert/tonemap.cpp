@@ -1,11 +1,11 @@
+#include "tonemap/options.h"
+
 #include "command.h"
-#include "exposure_flag.h"
 #include "number_range.h"
 #include "print_path.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
-#include "lambert/base/number.h"
 #include "lambert/draw/montage.h"
 #include "lambert/image/filter/resize.h"
 #include "lambert/image/io.h"
@@ -13,63 +13,16 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <filesystem>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
 
 namespace lambert::cli {
 namespace {
-
-struct TonemapOptions {
-  std::vector<std::string> inputs, outputs, operators, assignments;
-  std::string exposure = "0", channels, percentiles;
-  float key = AutoExposure{}.key;
-  float saturation = 1;
-  bool montage = false, list = false, json = false;
-  int columns = 0, tile_width = 400;
-};
-
-std::pair<float, float> percentiles(const std::string& text) {
-  const auto read = [&](std::string_view word) {
-    float value = -1;
-    const bool whole = parse_float(word.data(), word.data() + word.size(), value) == word.data() + word.size();
-    return whole ? value : -1.0f;
-  };
-  const auto comma = text.find(',');
-  const float low = read(std::string_view(text).substr(0, comma));
-  const float high = comma == std::string::npos ? -1.0f : read(std::string_view(text).substr(comma + 1));
-  if (!(low >= 0 && low < high && high <= 100))
-    throw Error("--percentiles: expected LOW,HIGH with 0 <= LOW < HIGH <= 100, got '" + printable(text) + "'");
-  return {low, high};
-}
-
-ToneSettings common_settings(const TonemapOptions& o) {
-  AutoExposure automatic{.key = o.key};
-  if (!o.percentiles.empty()) std::tie(automatic.low, automatic.high) = percentiles(o.percentiles);
-  ToneSettings settings{.saturation = o.saturation};
-  set_exposure(settings, o.exposure, automatic);
-  if (!o.channels.empty()) settings.channels = tone_channels(o.channels);
-  return settings;
-}
-
-ToneOperator configured_operator(const std::string& name, const std::vector<std::string>& assignments) {
-  ToneOperator op = tone_operator(name);
-  SettingTable table = tone_operator_settings(op);
-  for (const std::string& assignment : assignments) {
-    const auto equals = assignment.find('=');
-    if (equals == std::string::npos) throw Error("--set: expected key=value, got '" + printable(assignment) + "'");
-    table.set(assignment.substr(0, equals), assignment.substr(equals + 1));
-  }
-  return op;
-}
 
 /// The mean of the pixels that each pixel of a picture `width` wide covers; as it is when it is not wider.
 Image shrunk(const Image& image, int width) {
@@ -110,22 +63,6 @@ void check(const TonemapOptions& o) {
     is_radiance_format(path);
     check_writable(path);
   }
-}
-
-void print_operators(bool json) {
-  nlohmann::ordered_json all = nlohmann::json::array();
-  for (const std::string& name : tone_operator_names()) {
-    ToneOperator op = tone_operator(name);
-    const SettingTable table = tone_operator_settings(op);
-    nlohmann::ordered_json settings = nlohmann::json::array();
-    if (!json) fmt::print("{}\n  {}\n", name, tone_operator_summary(op));
-    for (const Setting& s : table.settings()) {
-      if (!json) fmt::print("  --set {}={:<10} {}\n", s.key, to_string(s), s.help);
-      settings.push_back({{"key", s.key}, {"default", to_string(s)}, {"help", s.help}});
-    }
-    all.push_back({{"name", name}, {"summary", tone_operator_summary(op)}, {"settings", settings}});
-  }
-  if (json) fmt::print("{}\n", all.dump(2));
 }
 
 int run(const TonemapOptions& o) {

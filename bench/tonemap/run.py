@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Tone operators beside pfstmo on a map of 1920 x 1080: CPU seconds (user and system, all threads), in turn, medians.
 
-    bench/tonemap/run.py BUILD [MAP] [--runs N] [--plot FILE.svg]
+    bench/tonemap/run.py LAMBERT [MAP] [--runs N] [--plot FILE.svg]
 
-BUILD has bin/lambert and bench/tonemap/bench_tonemap. Without MAP a scene of the repository is rendered. Both sides are measured twice:
-the operator alone (ours in memory; pfstmo from a .pfs file to nowhere, which includes reading and writing its stream), and the whole way
-from EXR to PNG."""
+LAMBERT is the program of a build of the preset bench, which has bench_tonemap too. Without MAP a scene of the repository is rendered; of
+a map with negative numbers pfstmo makes NaN and nothing. Both sides are measured twice: the operator alone (ours in memory; pfstmo from a
+.pfs file to nowhere, which includes reading and writing its stream), and the whole way from EXR to PNG."""
 import argparse
 import pathlib
 import resource
@@ -34,14 +34,15 @@ def cpu(command):
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("lambert", type=pathlib.Path)
     parser.add_argument("map", nargs="?")
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--plot")
     a = parser.parse_args()
     if not shutil.which("pfstmo_drago03"):
         sys.exit("bench/tonemap: pfstmo is not installed")
-    program, bench = a.build.resolve() / "bin/lambert", a.build.resolve() / "bench/tonemap/bench_tonemap"
+    program = a.lambert.resolve()
+    bench = program.parents[1] / "bench/tonemap/bench_tonemap"
     with tempfile.TemporaryDirectory() as folder:
         exr, pfs = f"{folder}/map.exr", f"{folder}/map.pfs"
         if a.map:

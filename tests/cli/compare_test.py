@@ -1,5 +1,9 @@
 """`lambert compare`: verdicts, exit statuses, pictures."""
+import json
+import shutil
 import struct
+import subprocess
+import unittest
 
 from command_line import CommandLineTest, main
 
@@ -27,8 +31,25 @@ class Compare(CommandLineTest):
         self.assertIn("8x8", self.lambert("compare", "a.pfm", "small.pfm", status=3).stderr)
         self.assertIn("nowhere.exr", self.lambert("compare", "a.pfm", "nowhere.exr", status=4).stderr)
 
+    @unittest.skipUnless(shutil.which("idiff"), "THE PEER IS MISSING: idiff is not installed")
+    def test_idiff_agrees(self):
+        for status, files, words in [
+                (0, "a.pfm a.pfm", ""), (2, "a.pfm b.pfm", ""), (0, "a.pfm b.pfm", "-fail 0.02 -warn 0.02"),
+                (0, "a.pfm b.pfm", "-failpercent 2 -warnpercent 2"), (2, "a.pfm b.pfm", "-failpercent 2 -hardfail 0.005"),
+                (4, "a.pfm nowhere.exr", ""), (4, "nowhere.exr a.pfm", "")]:
+            peer = subprocess.run(["idiff", *words.split(), *files.split()], cwd=self.folder, capture_output=True)
+            self.assertEqual(peer.returncode, status, f"{files} {words}")
+            ours = words.replace("percent", "-percent").replace("hardfail", "hard-fail").replace(" -", " --")
+            self.lambert("compare", *files.split(), *(f"-{ours}".split() if ours else []), status=status)
+
+    def test_says_what_is_not_compared(self):
+        pixels = struct.pack("<16f", *([0.2, 0.4, 0.6, 1] * 4))
+        (self.folder / "rgba.pfm").write_bytes(b"PF4\n2 2\n-1\n" + pixels)
+        self.pfm("rgb.pfm", [(0.2, 0.4, 0.6)] * 4, 2)
+        self.assertIn("not compared     A", self.lambert("compare", "rgba.pfm", "rgb.pfm").stdout)
+        self.assertNotIn("not compared", self.lambert("compare", "rgba.pfm", "rgba.pfm").stdout)
+
     def test_json_says_where(self):
-        import json
         said = json.loads(self.lambert("compare", "a.pfm", "b.pfm", "--json", status=2).stdout)
         self.assertAlmostEqual(said["max_error"], 0.01, 6)
         self.assertEqual(said["max_at"], {"x": 7, "y": 0, "channel": "B"})  # the rows of a PFM go upwards

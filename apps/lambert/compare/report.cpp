@@ -54,6 +54,8 @@ std::string as_text(const Comparison& c, int status) {
   const auto line = [&](const char* name, const std::string& value) {
     text += fmt::format("  {:<16} {}\n", name, value);
   };
+  if (!c.o.layers && c.linear_a.channel("A").has_value() != c.linear_b.channel("A").has_value())
+    line("not compared", "A, which one image alone has");
   line("mean error", fmt::format("{:.6g}  (bias {:+.3g})", e.mean, e.bias));
   line("rms error", fmt::format("{:.6g}  (mse {:.6g})", std::sqrt(e.mse), e.mse));
   line("relative mse", fmt::format("{:.6g}  ({:.6g} without the largest 0.1 %)", e.relative_mse, e.trimmed_mse));

@@ -1,10 +1,9 @@
 #include "lambert/base/settings.h"
 
-#include "lambert/base/error.h"
+#include "damage.h"
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,15 +22,6 @@ struct Example {
                          {"mode", "", &mode, {"fast", "exact"}}});
   }
 };
-
-std::string error_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "no error";
-}
 
 TEST(SettingTable, RefusesNumbersBelowTheLeast) {
   int count = 5;

@@ -2,10 +2,26 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
 
 namespace lambert {
 namespace {
+
+/// The formula in double precision.
+int exact_code(float linear) {
+  const double x = static_cast<double>(linear);
+  return static_cast<int>(std::floor(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055) + 0.5));
+}
+
+std::uint8_t code_of(float linear) {
+  std::uint8_t code = 0;
+  srgb_encode8({&linear, 1}, {&code, 1});
+  return code;
+}
 
 TEST(Srgb, KnownPoints) {
   EXPECT_EQ(srgb_encode(0.0f), 0);
@@ -48,6 +64,37 @@ TEST(Srgb, EveryCodeComesBack) {
     EXPECT_FLOAT_EQ(linear, srgb_decode(static_cast<float>(code) / 255));
     EXPECT_EQ(std::lround(255 * srgb_encode(linear)), code);
   }
+}
+
+// A float on either side of each of the 255 steps, and the floats next to them.
+TEST(Srgb, CodesStepWhereTheFormulaRoundsUp) {
+  for (int code = 1; code < 256; ++code) {
+    float below = 0, at = 1;  // code_of(below) < code <= code_of(at)
+    while (std::nextafter(below, 1.0f) < at) {
+      const float middle = below + (at - below) / 2 > below ? below + (at - below) / 2 : std::nextafter(below, 1.0f);
+      (code_of(middle) < code ? below : at) = middle;
+    }
+    EXPECT_EQ(exact_code(below), code - 1) << below;
+    EXPECT_EQ(exact_code(at), code) << at;
+    EXPECT_EQ(code_of(below), code - 1);
+    EXPECT_EQ(code_of(at), code);
+  }
+}
+
+TEST(Srgb, CodesAreTheRoundedFormula) {
+  std::vector<float> linear;
+  for (int i = 0; i <= 200000; ++i) linear.push_back(std::exp2(-18.0f + 18.0f * static_cast<float>(i) / 200000));
+  std::vector<std::uint8_t> codes(linear.size());
+  srgb_encode8(linear, codes);
+  for (std::size_t i = 0; i < codes.size(); ++i) ASSERT_EQ(codes[i], exact_code(linear[i])) << linear[i];
+}
+
+TEST(Srgb, CodesOfWhatNoScreenShowsAreBlackOrWhite) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const std::array<float, 8> odd{-1, -infinity, NAN, -NAN, 0, 1.5f, 1e30f, infinity};
+  std::array<std::uint8_t, 8> codes{};
+  srgb_encode8(odd, codes);
+  EXPECT_EQ(codes, (std::array<std::uint8_t, 8>{0, 0, 0, 0, 0, 255, 255, 255}));
 }
 
 }  // namespace

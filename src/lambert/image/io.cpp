@@ -135,15 +135,54 @@ void note_exif(Image& image, const Exif& exif) {
   note("isoSpeed", exif.iso);
 }
 
+/// How the channels of an image stand in a display file.
+struct Shown {
+  const Image& image;
+  std::optional<std::size_t> alpha;
+  bool colour = true;
+  std::size_t colours() const { return colour ? 3 : 1; }
+  std::size_t channels() const { return colours() + (alpha ? 1 : 0); }
+
+  /// Row y: colours, and alpha behind them.
+  void row(int y, float* to) const {
+    const std::span<const float> from = image.row(y);
+    const std::size_t n = image.channel_count(), shown = channels();
+    if (n == shown && colour == image.has_colour() && (!alpha || *alpha + 1 == n)) {
+      std::ranges::copy(from, to);
+      return;
+    }
+    for (int x = 0; x < image.width(); ++x, to += shown) {
+      const Rgb c = image.rgb(x, y);
+      to[0] = c.r;
+      if (colour) to[1] = c.g, to[2] = c.b;
+      if (alpha) to[colours()] = image.at(x, y, *alpha);
+    }
+  }
+};
+
+/// Colours over alpha; alpha is not negative and a number.
+void unpremultiply(std::span<float> row, std::size_t channels) {
+  for (std::size_t i = 0; i < row.size(); i += channels) {
+    float& a = row[i + channels - 1];
+    a = a > 0 ? a : 0.0f;
+    for (std::size_t c = 0; a > 0 && c + 1 < channels; ++c) row[i + c] /= a;
+  }
+}
+
+std::uint8_t code8(float v) { return static_cast<std::uint8_t>(std::round(std::min(v, 1.0f) * 255)); }
+/// Of a positive number, that is; what is not is black.
+std::uint16_t code16(float v) { return static_cast<std::uint16_t>(std::round(std::min(v, 1.0f) * 65535)); }
+
 /// Linear to sRGB, straight alpha, rounded to the codes of the format; or floats as they are.
 DisplayImage to_display(const Image& image, const Format& format, Depth depth) {
-  const auto alpha = format.keeps_alpha ? image.channel("A") : std::nullopt;
-  const bool colour = image.has_colour() || format.needs_colour;
+  const Shown shown{.image = image,
+                    .alpha = format.keeps_alpha ? image.channel("A") : std::nullopt,
+                    .colour = image.has_colour() || format.needs_colour};
+  const std::size_t channels = shown.channels();
   DisplayImage d{.width = image.width(),
                  .height = image.height(),
-                 .channels = (colour ? 3 : 1) + (alpha ? 1 : 0),
+                 .channels = static_cast<int>(channels),
                  .metadata = image.metadata};
-  const auto channels = static_cast<std::size_t>(d.channels);
   const std::size_t row = static_cast<std::size_t>(d.width) * channels;
   const std::size_t size = row * static_cast<std::size_t>(d.height);
   if (depth == Depth::full)
@@ -152,32 +191,22 @@ DisplayImage to_display(const Image& image, const Format& format, Depth depth) {
     d.words.resize(size);
   else
     d.bytes.resize(size);
-  const auto code = [](float v, float top) { return std::round(std::clamp(v, 0.0f, 1.0f) * top); };
   parallel_for(static_cast<std::size_t>(d.height), [&](std::size_t y) {
-    for (int x = 0; x < d.width; ++x) {
-      const float a = alpha ? image.at(x, static_cast<int>(y), *alpha) : 1;
-      Rgb c = image.rgb(x, static_cast<int>(y));
-      const std::size_t at = y * row + static_cast<std::size_t>(x) * channels;
-      std::array<float, 4> v{c.r};
-      const std::size_t colours = colour ? 3 : 1;
-      if (depth == Depth::full) {
-        v = {c.r, c.g, c.b};
-        v[colours] = a;
-        std::copy_n(v.begin(), channels, d.floats.begin() + static_cast<std::ptrdiff_t>(at));
-        continue;
-      }
-      if (alpha && a > 0) c = c / a;
-      // clamp() keeps NaN, which no code stands for: black.
-      const auto shown = [](float u) { return srgb_encode(u > 0 ? std::min(u, 1.0f) : 0.0f); };
-      v[0] = shown(c.r);
-      if (colour) v[1] = shown(c.g), v[2] = shown(c.b);
-      v[colours] = a > 0 ? a : 0.0f;
-      for (std::size_t i = 0; i < channels; ++i) {
-        if (depth == Depth::bits16)
-          d.words[at + i] = static_cast<std::uint16_t>(code(v[i], 65535));
-        else
-          d.bytes[at + i] = static_cast<std::uint8_t>(code(v[i], 255));
-      }
+    if (depth == Depth::full) return shown.row(static_cast<int>(y), d.floats.data() + y * row);
+    std::vector<float> linear(row);
+    shown.row(static_cast<int>(y), linear.data());
+    if (shown.alpha) unpremultiply(linear, channels);
+    const auto alphas = [&](const auto& code, auto* to) {
+      for (std::size_t i = channels - 1; shown.alpha && i < row; i += channels) to[i] = code(linear[i]);
+    };
+    if (depth == Depth::bits8) {
+      std::uint8_t* const to = d.bytes.data() + y * row;
+      srgb_encode8(linear, {to, row});
+      alphas(code8, to);
+    } else {
+      std::uint16_t* const to = d.words.data() + y * row;
+      for (std::size_t i = 0; i < row; ++i) to[i] = linear[i] > 0 ? code16(srgb_encode(std::min(linear[i], 1.0f))) : 0;
+      alphas(code16, to);
     }
   });
   return d;

@@ -1,24 +1,14 @@
 #include "lambert/render/method.h"
 
-#include "lambert/base/error.h"
+#include "damage.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <string>
 
 namespace lambert {
 namespace {
-
-std::string error_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "no error";
-}
 
 TEST(Methods, AreMadeByName) {
   const auto names = method_names();

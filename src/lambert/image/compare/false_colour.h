@@ -1,6 +1,6 @@
 #pragma once
-#include "lambert/image/compare/plane.h"
 #include "lambert/image/image.h"
+#include "lambert/image/plane.h"
 
 namespace lambert::compare {
 

@@ -8,9 +8,18 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 namespace lambert::compare {
 namespace {
+
+/// f(x) for x = -radius … radius.
+template <class F>
+std::vector<double> tabulated(int radius, F f) {
+  std::vector<double> kernel;
+  for (int x = -radius; x <= radius; ++x) kernel.push_back(f(static_cast<double>(x)));
+  return kernel;
+}
 
 using Planes = std::array<Plane, 3>;
 
@@ -47,12 +56,11 @@ Plane seen(const Plane& plane, const Sensitivity& s, double pixels_per_degree) {
     return tabulated(
         radius, [&](double x) { return std::exp(-pi_squared * x * x / (pixels_per_degree * pixels_per_degree * b)); });
   };
-  const auto total = [](const std::vector<float>& k) {
-    double sum = 0;
-    for (const float w : k) sum += static_cast<double>(w);
+  const auto total = [](const std::vector<double>& k) {
+    const double sum = std::accumulate(k.begin(), k.end(), 0.0);
     return sum * sum;
   };
-  const std::vector<float> first = gaussian(s.b1), second = gaussian(s.b2);
+  const std::vector<double> first = gaussian(s.b1), second = gaussian(s.b2);
   const double w1 = s.a1 * std::sqrt(pi_double / s.b1), w2 = s.a2 * std::sqrt(pi_double / s.b2);
   const double all = w1 * total(first) + w2 * total(second);
   Plane result = filtered(plane, first, first);
@@ -79,21 +87,20 @@ Features features_of(const Plane& y, double pixels_per_degree) {
   std::transform(y.values.begin(), y.values.end(), unit.values.begin(), [](float v) { return (v + 16) / 116; });
   const double sigma = 0.5 * 0.082 * pixels_per_degree;
   const int radius = static_cast<int>(std::ceil(3 * sigma));
-  std::vector<float> smooth = tabulated(radius, [&](double x) { return std::exp(-x * x / (2 * sigma * sigma)); });
-  double sum = 0;
-  for (const float w : smooth) sum += static_cast<double>(w);
-  for (float& w : smooth) w = static_cast<float>(static_cast<double>(w) / sum);
+  std::vector<double> smooth = tabulated(radius, [&](double x) { return std::exp(-x * x / (2 * sigma * sigma)); });
+  const double sum = std::accumulate(smooth.begin(), smooth.end(), 0.0);
+  for (double& w : smooth) w /= sum;
   // Positive weights sum to 1 and negative ones to -1: a step or a point of full contrast answers with 1.
-  const auto balanced = [](std::vector<float> kernel) {
+  const auto balanced = [](std::vector<double> kernel) {
     double positive = 0, negative = 0;
-    for (const float w : kernel) (w > 0 ? positive : negative) += static_cast<double>(w);
-    for (float& w : kernel) w = static_cast<float>(static_cast<double>(w) / (w > 0 ? positive : -negative));
+    for (const double w : kernel) (w > 0 ? positive : negative) += w;
+    for (double& w : kernel) w /= w > 0 ? positive : -negative;
     return kernel;
   };
   const auto edge = balanced(tabulated(radius, [&](double x) { return -x * std::exp(-x * x / (2 * sigma * sigma)); }));
   const auto point = balanced(tabulated(
       radius, [&](double x) { return (x * x / (sigma * sigma) - 1) * std::exp(-x * x / (2 * sigma * sigma)); }));
-  const auto strength = [&](const std::vector<float>& kernel) {
+  const auto strength = [&](const std::vector<double>& kernel) {
     Plane across = filtered(unit, kernel, smooth);
     const Plane down = filtered(unit, smooth, kernel);
     for (std::size_t i = 0; i < across.values.size(); ++i)
@@ -131,7 +138,7 @@ Flip flip_shown(const Image& a, const Image& b, const FlipSettings& settings, co
 /// The fit of the ACES curve, x (2.51 x + 0.03) / (x (2.43 x + 0.59) + 0.14), with its exposure of 0.6.
 Rgb aces(Rgb c) {
   const auto curve = [](float x) {
-    x = 0.6f * std::max(x, 0.0f);
+    x = 0.6f * std::clamp(x, 0.0f, 1e9f);  // far above white, its square still finite
     return x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f);
   };
   return {curve(c.r), curve(c.g), curve(c.b)};

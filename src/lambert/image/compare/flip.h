@@ -1,8 +1,8 @@
 #pragma once
 /// The difference that a viewer notices when two images alternate.
 
-#include "lambert/image/compare/plane.h"
 #include "lambert/image/image.h"
+#include "lambert/image/plane.h"
 
 namespace lambert::compare {
 

@@ -2,6 +2,7 @@
 
 #include "lambert/base/error.h"
 
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -24,18 +25,22 @@ Plane product(const Plane& a, const Plane& b) {
   return result;
 }
 
+/// 11 x 11 weights of the deviation 1.5.
+Plane window_mean(const Plane& plane) {
+  std::array<double, 11> window;
+  for (int i = 0; i < 11; ++i) window[static_cast<std::size_t>(i)] = std::exp(-(i - 5) * (i - 5) / (2 * 1.5 * 1.5));
+  const double sum = std::accumulate(window.begin(), window.end(), 0.0);
+  for (double& w : window) w /= sum;
+  return filtered(plane, window, window);
+}
+
 }  // namespace
 
 Similarity ssim(const Image& image_a, const Image& image_b) {
   if (image_a.width() != image_b.width() || image_a.height() != image_b.height()) throw Error("the sizes differ");
-  std::vector<float> window = tabulated(5, [](double x) { return std::exp(-x * x / (2 * 1.5 * 1.5)); });
-  const float sum = std::accumulate(window.begin(), window.end(), 0.0f);
-  for (float& w : window) w /= sum;
-  const auto mean_of = [&](const Plane& p) { return filtered(p, window, window); };
-
   const Plane a = luminance_plane(image_a), b = luminance_plane(image_b);
-  const Plane mean_a = mean_of(a), mean_b = mean_of(b);
-  const Plane aa = mean_of(product(a, a)), bb = mean_of(product(b, b)), ab = mean_of(product(a, b));
+  const Plane mean_a = window_mean(a), mean_b = window_mean(b);
+  const Plane aa = window_mean(product(a, a)), bb = window_mean(product(b, b)), ab = window_mean(product(a, b));
   constexpr double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03;
   Similarity result{.mean = 0, .map = Plane(a.width, a.height)};
   for (std::size_t i = 0; i < a.values.size(); ++i) {

@@ -1,8 +1,8 @@
 #pragma once
 /// Are two noisy images estimates of the same one?
 
-#include "lambert/image/compare/plane.h"
 #include "lambert/image/image.h"
+#include "lambert/image/plane.h"
 
 #include <cstddef>
 

@@ -64,15 +64,15 @@ Image gaussian_blurred(const Image& image, Vec2 sigma, EdgeMode edge, GaussianMe
   const double least = method == GaussianMethod::decimated ? 2 : 4;
   const auto direct = [&](double s) { return method == GaussianMethod::direct || s < least; };
   const auto one_way = [&](double s, int n) { return direct(s) ? gaussian_taps(s, n, edge) : identity_taps(n); };
-  Image out = image;
+  Image out;
   if (!direct(x) || !direct(y)) {
     const Decimation columns = decimation(direct(x) ? 0 : x, image.width(), edge);
     const Decimation rows = decimation(direct(y) ? 0 : y, image.height(), edge);
     out = separably_filtered(separably_filtered(image, columns.there, rows.there), columns.back, rows.back);
   }
   if ((direct(x) && x > 0) || (direct(y) && y > 0))
-    out = separably_filtered(out, one_way(x, image.width()), one_way(y, image.height()));
-  return placed_as(std::move(out), image);
+    out = separably_filtered(out.empty() ? image : out, one_way(x, image.width()), one_way(y, image.height()));
+  return out.empty() ? image : placed_as(std::move(out), image);
 }
 
 Image box_blurred(const Image& image, Vec2i radius, EdgeMode edge) {

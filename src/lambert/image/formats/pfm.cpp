@@ -72,21 +72,19 @@ std::vector<std::byte> encode_pfm(const Image& image, const WriteOptions&) {
   const bool grey = !image.has_colour();
   const std::string header =
       (grey ? "Pf\n" : "PF\n") + std::to_string(image.width()) + " " + std::to_string(image.height()) + "\n-1.0\n";
-  std::vector<std::byte> out(header.size());
+  const std::size_t width = static_cast<std::size_t>(image.width()), channels = grey ? 1 : 3;
+  std::vector<std::byte> out(header.size() + width * channels * static_cast<std::size_t>(image.height()) * 4);
   std::memcpy(out.data(), header.data(), header.size());
-  const auto append = [&](float v) {
-    std::uint32_t bits = std::bit_cast<std::uint32_t>(v);
-    if (std::endian::native != std::endian::little) bits = __builtin_bswap32(bits);
-    const auto old = out.size();
-    out.resize(old + 4);
-    std::memcpy(out.data() + old, &bits, 4);
-  };
-  for (int y = image.height(); y-- > 0;)
-    for (int x = 0; x < image.width(); ++x) {
-      const Rgb c = image.rgb(x, y);
-      append(c.r);
-      if (!grey) append(c.g), append(c.b);
-    }
+  std::byte* to = out.data() + header.size();
+  for (int y = image.height(); y-- > 0;) {
+    const std::span<const float> row = image.row(y);
+    for (std::size_t x = 0; x < width; ++x)
+      for (std::size_t c = 0; c < channels; ++c, to += 4) {
+        std::uint32_t bits = std::bit_cast<std::uint32_t>(row[x * image.channel_count() + c]);
+        if (std::endian::native != std::endian::little) bits = __builtin_bswap32(bits);
+        std::memcpy(to, &bits, 4);
+      }
+  }
   return out;
 }
 

@@ -2,7 +2,9 @@
 #include "lambert/image/formats/codecs.h"
 
 #include <png.h>
+#include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -109,17 +111,10 @@ struct Encoder {
   Encoder& operator=(const Encoder&) = delete;
 };
 
-}  // namespace
+/// How zlib looks for what repeats, after filtering.
+enum class Search { runs, all };
 
-Texels decode_png(Bytes data, const std::string& name, DisplayNotes* notes) {
-  try {
-    return Decoder().decode(data, name, notes);
-  } catch (const std::exception&) {
-    rethrow_named(name);
-  }
-}
-
-std::vector<std::byte> encode_png(const DisplayImage& image, const WriteOptions&) {
+std::vector<std::byte> encoded(const DisplayImage& image, std::size_t first, std::size_t last, Search search) {
   static constexpr int colour_types[] = {0, PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
                                          PNG_COLOR_TYPE_RGBA};
   std::vector<std::byte> out;
@@ -127,9 +122,14 @@ std::vector<std::byte> encode_png(const DisplayImage& image, const WriteOptions&
   const png_structp png = encoder.png;
   const png_infop info = encoder.info;
   png_set_write_fn(png, &out, write_bytes, flush);
-  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
+  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(last - first),
                image.words.empty() ? 8 : 16, colour_types[image.channels], PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (search == Search::runs) {
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_ALL_FILTERS);
+    png_set_compression_level(png, 1);
+    png_set_compression_strategy(png, Z_RLE);
+  }
   png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   std::vector<png_text> texts;
   for (const auto& [key, value] : image.metadata) {
@@ -144,11 +144,43 @@ std::vector<std::byte> encode_png(const DisplayImage& image, const WriteOptions&
   png_write_info(png, info);
   png_set_swap(png);  // of 16 bits, from the machine's order
   const std::size_t row = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
-  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
+  for (std::size_t y = first; y < last; ++y)
     png_write_row(png, image.words.empty() ? image.bytes.data() + y * row
                                            : reinterpret_cast<png_const_bytep>(image.words.data() + y * row));
   png_write_end(png, info);
   return out;
+}
+
+/// Runs when they cost at most a thirtieth of size in three samples of the image. Of filtered photographs and
+/// renderings they find nearly all that is to be found, in a quarter of the time; tiles and dithers need the rest.
+/// A sample is twice what deflate can look back on.
+Search best_search(const DisplayImage& image) {
+  constexpr std::size_t sample_bytes = 1 << 16, samples = 3;
+  const std::size_t height = static_cast<std::size_t>(image.height),
+                    row = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels) *
+                          (image.words.empty() ? 1 : 2),
+                    rows = std::min(height, sample_bytes / row + 1);
+  std::size_t by_runs = 0, by_all = 0;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const std::size_t first = (height - rows) * (2 * i + 1) / (2 * samples);
+    by_runs += encoded(image, first, first + rows, Search::runs).size();
+    by_all += encoded(image, first, first + rows, Search::all).size();
+  }
+  return by_runs <= by_all + by_all / 30 ? Search::runs : Search::all;
+}
+
+}  // namespace
+
+Texels decode_png(Bytes data, const std::string& name, DisplayNotes* notes) {
+  try {
+    return Decoder().decode(data, name, notes);
+  } catch (const std::exception&) {
+    rethrow_named(name);
+  }
+}
+
+std::vector<std::byte> encode_png(const DisplayImage& image, const WriteOptions&) {
+  return encoded(image, 0, static_cast<std::size_t>(image.height), best_search(image));
 }
 
 }  // namespace lambert

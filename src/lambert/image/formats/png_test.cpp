@@ -151,5 +151,24 @@ TEST(Png, ExifTurnsImages) {
   EXPECT_EQ(read(file).width, 2) << "textures stay as they are";
 }
 
+// A smooth picture with noise, and a tile of noise over and over, which only a search for all that repeats makes small.
+TEST(Png, FilesAreAboutAsSmallAsLibpngsOwn) {
+  const int width = 400, height = 300;
+  DisplayImage smooth{.width = width, .height = height, .channels = 3}, tiles = smooth;
+  std::uint64_t seed = 0;
+  const auto random = [&] { return static_cast<int>(hash_values(++seed) % 8); };
+  for (int y = 0; y < height; ++y)
+    for (int i = 0; i < 3 * width; ++i) {
+      smooth.bytes.push_back(static_cast<std::uint8_t>((i / 9 + y / 4 + random() / 4) % 256));
+      tiles.bytes.push_back(static_cast<std::uint8_t>(hash_values(y % 10, i % 96) % 256));
+    }
+  const auto libpngs = [&](const DisplayImage& image) {
+    return static_cast<double>(png({width, height, 8, PNG_COLOR_TYPE_RGB}, image.bytes).size());
+  };
+  EXPECT_LT(static_cast<double>(encode_png(smooth).size()), 1.04 * libpngs(smooth));
+  EXPECT_LT(static_cast<double>(encode_png(tiles).size()), 1.04 * libpngs(tiles));
+  EXPECT_LT(encode_png(tiles).size(), tiles.bytes.size() / 20);
+}
+
 }  // namespace
 }  // namespace lambert

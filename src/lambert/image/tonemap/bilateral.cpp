@@ -67,12 +67,11 @@ void blur(Grid& grid, float spatial_variance, float range_variance) {
 
 }  // namespace
 
-Filtered bilateral_filter(const Plane& plane, float spatial, float range) {
-  const Plane full(plane.width, plane.height, 1);
-  if (plane.values.empty()) return {plane, full};
+Plane bilateral_filter(const Plane& plane, float spatial, float range) {
+  if (plane.values.empty()) return plane;
   const auto [low_at, high_at] = std::minmax_element(plane.values.begin(), plane.values.end());
   const float low = *low_at, high = *high_at;
-  if (!(high > low)) return {plane, full};
+  if (!(high > low)) return plane;
 
   constexpr float cells_per_deviation = 2;
   // A cell is at least a pixel: a kernel below that is taken as it comes out.
@@ -117,11 +116,11 @@ Filtered bilateral_filter(const Plane& plane, float spatial, float range) {
   };
   blur(grid, narrowed(spatial, step), narrowed(std::max(range, (high - low) / 200), value_step));
 
-  Plane out(plane.width, plane.height), support(plane.width, plane.height);
+  Plane out(plane.width, plane.height);
   for_rows(plane.height, [&](int y) {
     const Between& row_at = rows[static_cast<std::size_t>(y)];
     const auto from = plane.row(y);
-    const auto to = out.row(y), known = support.row(y);
+    const auto to = out.row(y);
     const std::size_t grid_row = static_cast<std::size_t>(grid.width) * depth;
     for (std::size_t x = 0; x < from.size(); ++x) {
       const float at = (from[x] - low) * per_value;
@@ -138,15 +137,10 @@ Filtered bilateral_filter(const Plane& plane, float spatial, float range) {
         return above + row_at.second_weight * (line(cell + grid_row) - above);
       };
       const float weight = looked_up(grid.weights);
-      known[x] = weight;
       to[x] = weight > 0 ? low + looked_up(grid.values) / weight : from[x];
     }
   });
-  if (const float most = *std::max_element(support.values.begin(), support.values.end()); most > 0)
-    for_rows(plane.height, [&](int y) {
-      for (float& v : support.row(y)) v /= most;
-    });
-  return {std::move(out), std::move(support)};
+  return out;
 }
 
 }  // namespace lambert::tone

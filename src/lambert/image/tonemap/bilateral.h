@@ -1,5 +1,5 @@
 #pragma once
-#include "lambert/image/tonemap/plane.h"
+#include "lambert/image/plane.h"
 
 namespace lambert::tone {
 
@@ -10,10 +10,6 @@ namespace lambert::tone {
 /// and looked up. Spreading and looking up by linear weights widen the kernel; the blur is narrower by as much. With
 /// two cells to a standard deviation the result is within 0.03 `range` of the exact one. The cells of the grid are
 /// bounded: values that spread over more than 200 times `range` are filtered with a wider one.
-struct Filtered {
-  Plane mean;
-  Plane support;  ///< the sum of weights, of the largest in the plane: how many pixels are like this one
-};
-Filtered bilateral_filter(const Plane& plane, float spatial, float range);
+Plane bilateral_filter(const Plane& plane, float spatial, float range);
 
 }  // namespace lambert::tone

@@ -22,19 +22,20 @@ std::pair<float, float> inner_range(const Plane& plane, float percent) {
   return {low, *(samples.end() - 1 - nth)};
 }
 
-/// Takes a smoothed base where under a twentieth of the most pixels support it, all of its own over a quarter.
-Plane certain(Filtered filtered) {
-  const Plane smooth = gaussian_blur(filtered.mean, 2);
-  for_rows(smooth.height, [&](int y) {
-    float* const base = filtered.mean.row(y).data();
-    const float* const other = smooth.row(y).data();
-    const float* const support = filtered.support.row(y).data();
-    for (std::size_t x = 0; x < static_cast<std::size_t>(smooth.width); ++x) {
-      const float own = at_most(at_least((support[x] - 0.05f) * 5, 0.0f), 1.0f);
-      base[x] = other[x] + own * (base[x] - other[x]);
-    }
+/// The base goes over into the picture itself around steep edges: where values within `reach` pixels range over more
+/// than 2.5 deviations, wholly where over 5.
+void follow_edges(Plane& base, const Plane& picture, int reach, float deviation) {
+  Plane share = range_around(picture, reach);
+  for_rows(share.height, [&](int y) {
+    for (float& v : share.row(y)) v = at_most(at_least(v / (2.5f * deviation) - 1, 0.0f), 1.0f);
   });
-  return std::move(filtered.mean);
+  share = gaussian_blurred(share, 0.5f * static_cast<float>(reach));
+  for_rows(base.height, [&](int y) {
+    float* const to = base.row(y).data();
+    const float* const own = picture.row(y).data();
+    const float* const weight = share.row(y).data();
+    for (std::size_t x = 0; x < static_cast<std::size_t>(base.width); ++x) to[x] += weight[x] * (own[x] - to[x]);
+  });
 }
 
 }  // namespace
@@ -46,8 +47,10 @@ Plane Durand::map(const LuminanceMap& map) const {
     for (float& v : decades.row(y)) v = fast_log10(v > floor ? v : floor);
   });
   const float larger = static_cast<float>(std::max(decades.width, decades.height));
-  const Plane base = certain(bilateral_filter(decades, spatial * 0.01f * larger, range));
+  const float deviation = spatial * 0.01f * larger;
+  Plane base = bilateral_filter(decades, deviation, range);
   const auto [low, high] = inner_range(base, clip);
+  follow_edges(base, decades, static_cast<int>(std::ceil(0.4f * deviation)), range);
   const float wanted = std::log10(contrast);
   // A base that is flatter already is left so.
   const float factor = high - low > wanted ? wanted / (high - low) : 1;

@@ -6,10 +6,11 @@ namespace lambert::tone {
 
 /// Durand and Dorsey, "Fast bilateral filtering for the display of high-dynamic-range images" (2002): the decimal
 /// logarithm of luminance is parted into a base, by a bilateral filter, and the detail; the base is compressed to a
-/// contrast, the detail stays. Where few pixels are like one, as on the soft edge of a lamp, the base is a small
-/// Gaussian of itself (section 5 of the paper), or the edge would be all detail and glow. What differs: the base's
-/// range is that between its percentiles `clip` and 100 - `clip`, so that one speck does not darken all; luminances
-/// below the 0.1th percentile of those above 0 count as that.
+/// contrast, the detail stays. What differs: on the soft edge of a lamp a bilateral filter turns slopes round, so that
+/// the detail would draw a dark and a light line along it (Bae, Paris and Durand 2006); there, where values range over
+/// several deviations within 0.4 of the filter's width, the base is the picture itself. The base's range is that
+/// between its percentiles `clip` and 100 - `clip`, so that one speck does not darken all; luminances below the 0.1th
+/// percentile of those above 0 count as that.
 struct Durand {
   static constexpr const char *name = "durand", *summary = "Durand-Dorsey 2002: fast bilateral filtering";
   float spatial = 2;   ///< standard deviation, percent of the larger side

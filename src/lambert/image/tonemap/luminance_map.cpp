@@ -10,9 +10,7 @@
 namespace lambert::tone {
 namespace {
 
-constexpr float least = std::numeric_limits<float>::min();
-
-bool counts(float luminance) { return luminance >= least && luminance < infinite_radiance; }
+bool counts(float luminance) { return luminance >= least_luminance && luminance < infinite_radiance; }
 
 /// Sums in eight lanes: the order of adding is fixed, and the loop runs in vector registers.
 struct Lanes {
@@ -54,7 +52,7 @@ void StatisticsSum::add_row(const float* r, const float* g, const float* b, cons
   lanes.smallest.fill(infinite_radiance);
   const auto add = [&](std::size_t lane, std::size_t x) {
     const float l = luminance[x];
-    const bool in = (l >= least) & (l < infinite_radiance);
+    const bool in = (l >= least_luminance) & (l < infinite_radiance);
     const float one = chosen(in, 1.0f, 0.0f);
     lanes.counted[lane] += one;
     lanes.log2[lane] += fast_log2(chosen(in, l, 1.0f));

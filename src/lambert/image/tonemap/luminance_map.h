@@ -1,11 +1,16 @@
 #pragma once
 #include "lambert/base/rgb.h"
-#include "lambert/image/tonemap/plane.h"
+#include "lambert/image/plane.h"
+
+#include <limits>
 
 namespace lambert::tone {
 
 /// A radiance above this is taken for infinite: it is shown as white and counts in no statistics.
 inline constexpr float infinite_radiance = 1e10f;
+
+/// A luminance below this, which logarithms cannot take, is black.
+inline constexpr float least_luminance = std::numeric_limits<float>::min();
 
 /// What curves know of a radiance map. Only pixels count whose luminance is above 0 and finite; without any, the values
 /// are those of a grey of 1.
@@ -24,6 +29,11 @@ struct LuminanceMap {
 
   /// The luminance that `percent` of the counted pixels do not exceed.
   float percentile(float percent) const;
+};
+
+/// Red, green and blue apart.
+struct RgbPlanes {
+  Plane r, g, b;
 };
 
 /// Sums over some rows; added up in a fixed order.

@@ -1,6 +1,6 @@
 #include "lambert/image/tonemap/poisson.h"
 
-#include "lambert/image/tonemap/plane.h"
+#include "lambert/image/plane.h"
 
 #include <algorithm>
 #include <cmath>

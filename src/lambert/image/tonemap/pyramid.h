@@ -1,7 +1,7 @@
 #pragma once
 /// Gaussian pyramids (Burt and Adelson 1983): the kernel is 1 4 6 4 1 over 16, and planes go on at their edges.
 
-#include "lambert/image/tonemap/plane.h"
+#include "lambert/image/plane.h"
 
 namespace lambert::tone {
 

@@ -1,4 +1,6 @@
 #pragma once
+/// One number a pixel, for what looks at one channel at a time, and loops over its rows.
+
 #include "lambert/base/parallel.h"
 
 #include <algorithm>
@@ -6,9 +8,9 @@
 #include <span>
 #include <vector>
 
-namespace lambert::tone {
+namespace lambert {
 
-/// One float a pixel, rows from the top.
+/// Rows from the top.
 struct Plane {
   Plane() = default;
   Plane(int w, int h, float value = 0)
@@ -25,11 +27,6 @@ struct Plane {
 
  private:
   std::size_t offset(int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width); }
-};
-
-/// Red, green and blue apart.
-struct RgbPlanes {
-  Plane r, g, b;
 };
 
 /// Rows that are worked on together: enough to be worth a task.
@@ -53,8 +50,13 @@ void for_rows(int height, const Body& body) {
   });
 }
 
-/// The Gaussian of standard deviation `sigma` pixels, cut at three of them; beyond its edges the plane goes on as at
-/// the edge.
-Plane gaussian_blur(const Plane& plane, float sigma);
+/// Correlation with the separable kernel across(x) down(y), both of odd length; the border is repeated outwards.
+Plane filtered(const Plane& plane, std::span<const double> across, std::span<const double> down);
 
-}  // namespace lambert::tone
+/// The greatest less the least value in the square of (2 radius + 1)² pixels around each, within the plane.
+Plane range_around(const Plane& plane, int radius);
+
+/// The Gaussian of standard deviation `sigma` pixels (filter/blur.h); the border is repeated outwards.
+Plane gaussian_blurred(const Plane& plane, float sigma);
+
+}  // namespace lambert
