@@ -59,7 +59,8 @@ class Artist {
     }
     for (const auto& [y, text] : sheet_.rows()) {
       line({left, y}, {right, y});
-      drawing_.marks.emplace_back(Words{{left - 5, y + 3}, text, grey, 9, Anchor::end});
+      const double end = std::max(left - 5, 2 + text_width(text, 9));  // a long number may reach into the padding
+      drawing_.marks.emplace_back(Words{{end, y + 3}, text, grey, 9, Anchor::end});
     }
   }
 
