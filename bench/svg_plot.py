@@ -35,7 +35,7 @@ def bars(title, unit, rows):
 
 def log_lines(title, x_label, y_label, curves):
     """curves: name to [(x, y)], all positive; both axes in powers of 2 and 10."""
-    left, right, top, bottom = 70, WIDTH - 130, 40, 380
+    left, right, top, bottom = 70, WIDTH - 130, 52, 380
     xs = [x for points in curves.values() for x, _ in points]
     ys = [y for points in curves.values() for _, y in points]
     x0, x1 = math.log2(min(xs)), math.log2(max(xs))

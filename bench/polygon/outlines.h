@@ -1,7 +1,7 @@
 #pragma once
 /// Rings for the benchmarks, the same in every run.
 
-#include "lambert/polygon/ring.h"
+#include "lambert/polygon/test_polygons.h"
 
 #include <cmath>
 #include <numbers>
@@ -28,16 +28,10 @@ inline Ring coast(std::size_t n) {
   return ring;
 }
 
-/// Every vertex at its own random distance, from half the radius to all of it: needles all round, the hard case.
+/// Needles all round, the hard case.
 inline Ring needles(std::size_t n) {
-  std::mt19937_64 random(2);
-  std::uniform_real_distribution<double> radius(0.5, 1);
-  Ring ring;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n), r = radius(random);
-    ring.emplace_back(r * std::cos(angle), r * std::sin(angle));
-  }
-  return ring;
+  test::Random random(2);
+  return test::star(random, n, 0.5);
 }
 
 }  // namespace lambert::polygon

@@ -5,7 +5,6 @@
 #include <boost/geometry/geometries/multi_polygon.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
-#include <memory>
 
 namespace lambert::bench {
 namespace {
@@ -46,10 +45,6 @@ class BoostOperands final : public Operands {
 
 }  // namespace
 
-Peer boost_peer() {
-  return {"boost", [](const polygon::Rings& subject, const polygon::Rings& clip) -> std::unique_ptr<Operands> {
-            return std::make_unique<BoostOperands>(subject, clip);
-          }};
-}
+Peer boost_peer() { return {"boost", prepared<BoostOperands>}; }
 
 }  // namespace lambert::bench

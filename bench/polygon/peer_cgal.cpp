@@ -5,7 +5,6 @@
 #include <CGAL/Polygon_set_2.h>
 #include <algorithm>
 #include <iterator>
-#include <memory>
 
 namespace lambert::bench {
 namespace {
@@ -77,7 +76,7 @@ Peer cgal_peer() {
   return {"cgal", [](const polygon::Rings& subject, const polygon::Rings& clip) -> std::unique_ptr<Operands> {
             // What is not simple ends the process.
             if (!all_simple(subject) || !all_simple(clip)) return nullptr;
-            return std::make_unique<CgalOperands>(subject, clip);
+            return prepared<CgalOperands>(subject, clip);
           }};
 }
 

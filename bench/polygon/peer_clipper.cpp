@@ -2,7 +2,6 @@
 #include "stopwatch.h"
 
 #include <cmath>
-#include <memory>
 #include <polyclipping/clipper.hpp>
 
 namespace lambert::bench {
@@ -58,10 +57,6 @@ class ClipperOperands final : public Operands {
 
 }  // namespace
 
-Peer clipper_peer() {
-  return {"clipper", [](const polygon::Rings& subject, const polygon::Rings& clip) -> std::unique_ptr<Operands> {
-            return std::make_unique<ClipperOperands>(subject, clip);
-          }};
-}
+Peer clipper_peer() { return {"clipper", prepared<ClipperOperands>}; }
 
 }  // namespace lambert::bench

@@ -1,8 +1,6 @@
 #include "peers.h"
 #include "stopwatch.h"
 
-#include <memory>
-
 namespace lambert::bench {
 namespace {
 
@@ -24,10 +22,6 @@ class OurOperands final : public Operands {
 
 }  // namespace
 
-Peer lambert_peer() {
-  return {"lambert", [](const polygon::Rings& subject, const polygon::Rings& clip) -> std::unique_ptr<Operands> {
-            return std::make_unique<OurOperands>(subject, clip);
-          }};
-}
+Peer lambert_peer() { return {"lambert", prepared<OurOperands>}; }
 
 }  // namespace lambert::bench

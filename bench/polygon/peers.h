@@ -24,6 +24,12 @@ class Operands {
   virtual Run run(polygon::BooleanOp op) = 0;
 };
 
+/// Of a library that takes any operands.
+template <class LibraryOperands>
+std::unique_ptr<Operands> prepared(const polygon::Rings& subject, const polygon::Rings& clip) {
+  return std::make_unique<LibraryOperands>(subject, clip);
+}
+
 struct Peer {
   std::string name;
   /// Null when the library cannot take the operands.

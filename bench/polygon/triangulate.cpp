@@ -7,15 +7,15 @@
 #include "lambert/polygon/decompose/delaunay.h"
 #include "lambert/polygon/decompose/ear_clipping.h"
 #include "lambert/polygon/test_polygons.h"
+#include "outlines.h"
+#include "stopwatch.h"
 #include "triangulate_cgal.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <limits>
-#include <numbers>
 #include <string>
 
 namespace {
@@ -23,30 +23,18 @@ namespace {
 using namespace lambert;
 using namespace lambert::polygon;
 
-/// Milliseconds.
+/// Milliseconds of processor time.
 template <class Work>
 double best_time(const Work& work) {
   double best = std::numeric_limits<double>::infinity(), total = 0;
   for (int run = 0; run < 3 || (run < 50 && total < 300); ++run) {
-    const auto start = std::chrono::steady_clock::now();
+    const bench::Stopwatch watch;
     work();
-    const double time = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const double time = 1e3 * watch.seconds();
     best = std::min(best, time);
     total += time;
   }
   return best;
-}
-
-/// A circle whose radius wanders: neighbours lie close, as on a coast.
-Ring coast(test::Random& random, std::size_t size) {
-  Ring ring;
-  double radius = 1;
-  for (std::size_t i = 0; i < size; ++i) {
-    const double phi = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(size);
-    radius = std::clamp(radius + test::between(random, -1, 1) / std::sqrt(static_cast<double>(size)), 0.5, 1.5);
-    ring.push_back(radius * Vec2d(std::cos(phi), std::sin(phi)));
-  }
-  return ring;
 }
 
 /// First line: where each ring ends; then a vertex a line.
@@ -98,7 +86,7 @@ int main(int argc, char** argv) {
   test::Random random(1);
   for (const std::size_t n : {1000, 3000, 10000, 30000, 100000}) {
     measure("star", {test::star(random, n), {}}, folder);
-    measure("coast", {coast(random, n), {}}, folder);
+    measure("coast", {coast(n), {}}, folder);
     measure("comb", {test::comb(n / 2), {}}, folder);
     measure("spiral", {test::spiral(n / 2), {}}, folder);
     const auto per_side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n) / 20));

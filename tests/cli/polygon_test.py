@@ -78,11 +78,19 @@ class Queries(Polygon):
         done = self.polygon("normal", self.write("a.wkt", "POLYGON ((0 0, 4 4, 8 8, 0 0))"), status=1)
         self.assertIn("all vertices lie on a line", done.stdout)
 
-    def test_what_encloses_nothing_is_noted(self):
-        lines = self.write("a.wkt", SQUARE + "LINESTRING (0 0, 1 1)\nMULTIPOINT (1 1, 2 2)\n")
-        for arguments in (["union"], ["clip", "--window=1,1,2,2"], ["triangulate"], ["area"]):
-            stderr = self.polygon(*arguments, lines).stderr
-            self.assertEqual(stderr, "lambert: note: a.wkt: 1 line and 2 points left out: they enclose nothing\n")
+    def test_what_a_verb_leaves_out_is_noted(self):
+        mixed = self.write("a.wkt", "POLYGON Z ((0 0 1, 4 0 1, 4 4 1, 0 0 1))\nLINESTRING Z (0 0 1, 1 1 1, 2 0 1, 0 0 1)\nMULTIPOINT (1 1, 2 2)\n")
+        everything = "1 line, 2 points, third coordinates"
+        parts = {"check": "2 points", "classify": "1 line, 2 points", "normal": "1 line, 2 points", "area": everything,
+                 "contains --at=1,1": everything, "pick --at=1,1": "2 points, third coordinates", "clip --window=1,1,2,2": everything,
+                 "clip --line=0,1,1,1": everything, "clip --half-plane=0,0,1,1 --trace": everything, f"union {mixed}": everything,
+                 f"intersect {mixed}": everything, f"difference {mixed}": everything, f"xor {mixed}": everything, "trapezoids": everything,
+                 "convex": everything, "triangulate": everything, "strips": everything, "fill": everything,
+                 "fill --resolution=4x4": everything, "extrude": everything, "revolve": "2 points, third coordinates", "convert": ""}
+        for command, left_out in parts.items():
+            with self.subTest(command=command):
+                notes = set(self.polygon(*command.split(), mixed).stderr.splitlines())
+                self.assertEqual(notes, {f"lambert: note: a.wkt: left out: {left_out}"} if left_out else set())
         self.assertEqual(self.polygon("union", self.write("b.wkt", SQUARE)).stderr, "")
 
     def test_fill_refuses_what_its_table_cannot_hold(self):
@@ -172,7 +180,12 @@ class Clipping(Polygon):
         self.assertIn("--window", self.polygon("clip", a, status=1).stderr)
         self.assertIn("--line", self.polygon("clip", a, "--line", "0,0,1,1", "--window", "0,0,1,1", status=1).stderr)
         self.assertIn("two different points", self.polygon("clip", a, "--half-plane", "1,1,1,1", status=1).stderr)
-        self.assertIn("x0 <= x1", self.polygon("clip", a, "--window", "2,0,1,1", status=1).stderr)
+        for verb in (["clip"], ["pick", "--at", "0,0"]):
+            self.assertIn("x0 <= x1", self.polygon(*verb, a, "--window", "2,0,1,1", status=1).stderr)
+        trace = ["clip", a, "--half-plane", "0,0,1,1", "--trace"]
+        for more in (["--window", "0,0,1,1"], ["--half-plane", "1,1,0,0"], ["-o", "c.wkt"], ["--svg", "c.svg"], ["--to", "wkt"]):
+            self.assertIn("--trace", self.polygon(*trace, *more, status=1).stderr)
+        self.assertEqual(self.files(), ["a.wkt"])
 
 
 class Booleans(Polygon):
@@ -244,6 +257,7 @@ class Decomposition(Polygon):
 
 
 class Filling(Polygon):
+    # rows: PG-34
     def test_span_table_of_the_lecture_notes(self):
         table = self.facts("fill", EXAMPLES / "six.txt")
         self.assertEqual(table["pixels"], 46)
@@ -386,6 +400,17 @@ class Pictures(Polygon):
                 with self.subTest(text=text, verb=verb):
                     self.polygon(*verb, "a.wkt", "--svg", "p.svg", "--png", "p.png")
                     xml.etree.ElementTree.parse(self.folder / "p.svg")
+
+    def test_clips_of_any_size_are_drawn(self):
+        for size in (1e-300, 1, 1e300):
+            triangle = self.write("a.wkt", f"POLYGON (({size} {size}, {-size} {size}, 0 {-size}, {size} {size}))")
+            for flag in ("--line", "--half-plane"):
+                self.polygon("clip", triangle, f"{flag}={-size},{-size},{size},{size}", "--svg", f"{flag[2:]}.svg")
+            marks = [len(xml.etree.ElementTree.parse(self.folder / n).getroot()) for n in ("line.svg", "half-plane.svg")]
+            if size == 1e-300:
+                expected = marks
+            self.assertEqual(marks, expected, size)
+            self.assertGreater(min(marks), 20)
 
     def test_a_picture_is_no_geometry(self):
         done = self.polygon("union", EXAMPLES / "star.wkt", "--svg", "p.svg")

@@ -7,6 +7,8 @@
 #include "lambert/polygon/boolean/boolean.h"
 #include "lambert/polygon/box.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace lambert::cli {
@@ -27,8 +29,7 @@ void check_range(const PathPlace& place, const Regions& regions, double enclosed
 }
 
 int run(const PolygonOptions& o) {
-  const std::vector<PolygonInput> inputs = read_inputs(o);
-  note_what_counts_not(inputs);
+  const std::vector<PolygonInput> inputs = read_inputs(o, {.validity = true});
   const FillRule rule = fill_rule(o);
   nlohmann::ordered_json features = nlohmann::json::array();
   std::string text;

@@ -23,8 +23,7 @@ Regions combined(BooleanOp op, const std::vector<PolygonInput>& inputs, FillRule
 }
 
 int run(const PolygonOptions& o, BooleanOp op, const std::string& title) {
-  const std::vector<PolygonInput> inputs = read_inputs(o);
-  note_what_counts_not(inputs);
+  const std::vector<PolygonInput> inputs = read_inputs(o, {.validity = true});
   const FillRule rule = fill_rule(o);
   const Regions regions = combined(op, inputs, rule);
   Feature feature;

@@ -4,6 +4,8 @@
 
 #include "lambert/polygon/queries/check.h"
 
+#include <nlohmann/json.hpp>
+
 namespace lambert::cli {
 
 using namespace polygon;
@@ -36,7 +38,7 @@ Checked check_path(const PathPlace& place, const Path& path) {
 }
 
 int run(const PolygonOptions& o) {
-  const std::vector<PolygonInput> inputs = read_inputs(o);
+  const std::vector<PolygonInput> inputs = read_inputs(o, {.lines = true, .ring_heights = true, .line_heights = true});
   nlohmann::ordered_json paths = nlohmann::json::array();
   std::string text;
   Picture picture{.title = "check"};

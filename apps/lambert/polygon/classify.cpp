@@ -7,6 +7,8 @@
 #include "lambert/polygon/queries/simple.h"
 #include "lambert/polygon/sweep/intersections.h"
 
+#include <nlohmann/json.hpp>
+
 #include <optional>
 
 namespace lambert::cli {
@@ -64,7 +66,7 @@ std::optional<RingMeeting> rings_cross(const PathPolygon& polygon) {
 
 class Classifier {
  public:
-  explicit Classifier(const PolygonOptions& o) : options_(o), inputs_(read_inputs(o)) {}
+  explicit Classifier(const PolygonOptions& o) : options_(o), inputs_(read_inputs(o, {.ring_heights = true})) {}
 
   int run() {
     show_inputs(picture_, inputs_);

@@ -8,6 +8,7 @@
 #include "lambert/polygon/clip/components.h"
 #include "lambert/polygon/clip/half_plane_clip.h"
 #include "lambert/polygon/clip/window_clip.h"
+#include "lambert/polygon/predicates/scale.h"
 #include "lambert/polygon/queries/line_through.h"
 
 #include <fmt/format.h>
@@ -42,21 +43,22 @@ struct Clips {
 
 Clips parse_clips(const Options& o) {
   Clips clips;
-  if (!o.window.empty()) {
-    const std::vector<double> n = parse_reals("--window", o.window, 4, "x0,y0,x1,y1");
-    clips.window = Box2{{n[0], n[1]}, {n[2], n[3]}};
-    if (clips.window->empty()) throw Error("--window: expected x0 <= x1 and y0 <= y1, got '" + o.window + "'");
-  }
+  if (!o.window.empty()) clips.window = parse_window("--window", o.window);
   for (const std::string& text : o.half_planes) clips.half_planes.push_back(parse_line("--half-plane", text));
   return clips;
 }
 
 /// The part of a line that the picture shows: across the box of the data, and a little beyond.
 Ring shown_part(const ClipLine& line, const Box2& box) {
-  const Vec2d direction = glm::normalize(line.head - line.tail), centre = box.centre();
-  const Vec2d foot = line.tail + direction * glm::dot(centre - line.tail, direction);
-  const double reach = 0.55 * glm::length(box.size());
-  return {foot - direction * reach, foot + direction * reach};
+  if (box.empty()) return {};
+  Sizes sizes;
+  for (const Vec2d p : {line.head, line.tail, box.min, box.max}) sizes.add(p);
+  const double unit = unit_scale(sizes.most);
+  const Vec2d low = unit * box.min, high = unit * box.max, tail = unit * line.tail, along = unit * line.head - tail;
+  const Vec2d direction = along / safe_length(along), centre = 0.5 * (low + high);
+  const Vec2d foot = tail + direction * glm::dot(centre - tail, direction);
+  const double reach = 0.55 * glm::length(high - low);
+  return {(foot - direction * reach) / unit, (foot + direction * reach) / unit};
 }
 
 Regions clipped(const Feature& feature, const Clips& clips, FillRule rule) {
@@ -68,15 +70,12 @@ Regions clipped(const Feature& feature, const Clips& clips, FillRule rule) {
 
 int run_regions(const Options& o) {
   const Clips clips = parse_clips(o);
-  const std::vector<PolygonInput> inputs = read_inputs(o);
-  note_what_counts_not(inputs);
+  const std::vector<PolygonInput> inputs = read_inputs(o, {.validity = true});
   const FillRule rule = fill_rule(o);
   const Features all = joined(inputs);
   const Box2 box = box_of(rings_of(all));
-  Features result;
-  result.members = all.members, result.srid = all.srid;
   Picture picture{.title = "clip"};
-  for (const Feature& source : all.features) {
+  const Features result = cut_from(all, [&](const Feature& source, Feature& feature) {
     for (const Ring& ring : rings_of(source))
       picture.lines.push_back({.points = ring, .colour = slate, .closed = true, .dashed = true, .width = 1.2});
     const Regions regions = clipped(source, clips, rule);
@@ -85,10 +84,8 @@ int run_regions(const Options& o) {
           {.rings = rings_of(region), .fill = pastel(picture.areas.size()), .edge = ink, .edge_width = 1.8});
       add_indices(picture, rings_of(region), ink);
     }
-    Feature feature = cut_from(source);
     feature.polygons = polygons_of(regions);
-    result.features.push_back(std::move(feature));
-  }
+  });
   if (clips.window) {
     const Vec2d a = clips.window->min, b = clips.window->max;
     picture.lines.push_back({.points = {a, {b.x, a.y}, b, {a.x, b.y}}, .colour = alarm, .closed = true});
@@ -101,12 +98,9 @@ int run_regions(const Options& o) {
 
 int run_line(const Options& o) {
   const ClipLine line = parse_line("--line", o.line);
-  const std::vector<PolygonInput> inputs = read_inputs(o);
-  note_what_counts_not(inputs);
+  const std::vector<PolygonInput> inputs = read_inputs(o, {});
   const FillRule rule = fill_rule(o);
   const Features all = joined(inputs);
-  Features result;
-  result.members = all.members, result.srid = all.srid;
   Picture picture{.title = "clip a line"};
   show_inputs(picture, inputs, rule);
   picture.lines.push_back({.points = shown_part(line, box_of(rings_of(all))),
@@ -114,23 +108,23 @@ int run_line(const Options& o) {
                            .arrows = true,
                            .dashed = true,
                            .width = 1.2});
-  for (const Feature& source : all.features) {
-    Feature feature = cut_from(source);
+  const Features result = cut_from(all, [&](const Feature& source, Feature& feature) {
     for (const LinePiece& piece : line_through(rings_of(source), line.tail, line.head, rule).inside) {
       feature.lines.push_back({.points = {piece.from, piece.to}, .heights = {}});
       picture.lines.push_back({.points = {piece.from, piece.to}, .colour = alarm, .width = 3});
     }
-    result.features.push_back(std::move(feature));
-  }
+  });
   write_geometry(o, inputs.front().format, result, picture);
   return done;
 }
 
 /// The state machine's table for each ring: vertices are numbered from 1, crossings are letters.
 int run_trace(const Options& o) {
-  if (o.half_planes.size() != 1) throw Error("--trace: expected one --half-plane");
+  if (o.half_planes.size() != 1 || !o.window.empty()) throw Error("--trace: expected one --half-plane and no --window");
+  if (!o.outputs.empty() || !o.svg.empty() || !o.png.empty() || !o.format.empty())
+    throw Error("--trace: it prints a table, neither geometry nor a picture");
   const ClipLine line = parse_line("--half-plane", o.half_planes.front());
-  for_each_path(read_inputs(o), [&](const PathPlace& place, const Path& path) {
+  for_each_path(read_inputs(o, {}), [&](const PathPlace& place, const Path& path) {
     if (!place.ring) return;
     std::vector<LabelledVertex> vertices;
     for (const Vec2d p : path.points) vertices.push_back({.position = p, .label = std::to_string(vertices.size() + 1)});

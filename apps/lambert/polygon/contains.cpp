@@ -6,6 +6,7 @@
 #include "lambert/polygon/locate/point_locator.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 namespace lambert::cli {
 
@@ -20,11 +21,7 @@ struct Options : PolygonOptions {
 };
 
 std::vector<Vec2d> query_points(const Options& o) {
-  std::vector<Vec2d> points;
-  for (const std::string& text : o.at) {
-    const std::vector<double> p = parse_reals("--at", text, 2, "X,Y");
-    points.emplace_back(p[0], p[1]);
-  }
+  std::vector<Vec2d> points = parse_points("--at", o.at);
   if (!o.points.empty())
     for (const Vec2d p : vertices_of(read_features(o.points))) points.push_back(p);
   if (points.empty()) throw Error("contains: expected --at X,Y or --points FILE");
@@ -33,7 +30,7 @@ std::vector<Vec2d> query_points(const Options& o) {
 
 int run(const Options& o) {
   const std::vector<Vec2d> points = query_points(o);
-  const std::vector<PolygonInput> inputs = read_inputs(o);
+  const std::vector<PolygonInput> inputs = read_inputs(o, {});
   const FillRule rule = fill_rule(o);
   struct Prepared {
     PathPlace place;
@@ -76,7 +73,7 @@ int run(const Options& o) {
 std::function<int()> add_contains(CLI::App& app) {
   static Options options;
   add_input_options(app, options);
-  app.add_option("--at", options.at, "A point X,Y; several allowed")->type_name("X,Y")->allow_extra_args(false);
+  add_at_option(app, options.at);
   app.add_option("--points", options.points, "Every vertex of a file")->type_name("FILE");
   add_fact_outputs(app, options);
   app.footer(

@@ -24,16 +24,11 @@ struct Options : PolygonOptions {
 /// Cuts the regions of every feature into pieces, which stay in their feature, and writes them.
 template <class F>
 int run_pieces(const Options& o, const std::string& title, F&& pieces_of) {
-  const std::vector<PolygonInput> inputs = read_inputs(o);
-  note_what_counts_not(inputs);
+  const std::vector<PolygonInput> inputs = read_inputs(o, {.validity = true});
   const FillRule rule = fill_rule(o);
-  const Features all = joined(inputs);
-  Features result;
-  result.members = all.members, result.srid = all.srid;
   Picture picture{.title = title};
   std::vector<Rings> shown;
-  for (const Feature& source : all.features) {
-    Feature feature = cut_from(source);
+  const Features result = cut_from(joined(inputs), [&](const Feature& source, Feature& feature) {
     const Regions regions = normalised(rings_of(source), rule);
     for (const Region& region : regions) {
       const Rings pieces = pieces_of(region);
@@ -42,8 +37,7 @@ int run_pieces(const Options& o, const std::string& title, F&& pieces_of) {
     }
     for (const Ring& ring : rings_of(regions))
       picture.lines.push_back({.points = ring, .colour = ink, .closed = true, .width = 1.8});
-    result.features.push_back(std::move(feature));
-  }
+  });
   show_pieces(picture, shown);
   picture.title += ": " + counted(shown.size(), "piece");
   write_geometry(o, inputs.front().format, result, picture);

@@ -12,6 +12,7 @@
 #include "lambert/polygon/scan/scan_table.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -62,8 +63,7 @@ void check_reach(const std::vector<PolygonInput>& inputs) {
 
 /// The textbook's table in the coordinates of the data.
 int run_table(const Options& o) {
-  const std::vector<PolygonInput> inputs = read_inputs(o);
-  note_what_counts_not(inputs);
+  const std::vector<PolygonInput> inputs = read_inputs(o, {});
   check_reach(inputs);
   const Rings rings = rings_of(joined(inputs));
   Table table;
@@ -109,8 +109,7 @@ void check_finite(const std::vector<Rings>& features) {
 
 int run_pixels(Options o) {
   const Vec2i size = parse_size("--resolution", o.resolution);
-  const std::vector<PolygonInput> inputs = read_inputs(o);
-  note_what_counts_not(inputs);
+  const std::vector<PolygonInput> inputs = read_inputs(o, {});
   const FillRule rule = fill_rule(o);
   const std::vector<Rings> features = fitted(joined(inputs), size);
   check_finite(features);

@@ -1,4 +1,4 @@
-#include "places.h"
+#include "verb.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
@@ -41,6 +41,34 @@ PolygonInput read_input(const std::string& file) {
   return {file, read_features(file), named ? *named : format_of_content(MappedFile(file).text())};
 }
 
+void note_left_out(const PolygonInput& input, Uses uses) {
+  std::size_t lines = 0, points = 0;
+  bool heights = false;
+  for (const Feature& feature : input.features.features) {
+    points += feature.points.points.size(), lines += feature.lines.size();
+    if (uses.lines && !uses.line_heights)
+      for (const Path& line : feature.lines) heights = heights || !line.heights.empty();
+    if (!uses.ring_heights)
+      for (const PathPolygon& polygon : feature.polygons)
+        for (const Path& ring : polygon) heights = heights || !ring.heights.empty();
+  }
+  std::vector<std::string> parts;
+  if (lines > 0 && !uses.lines) parts.push_back(counted(lines, "line"));
+  if (points > 0 && !uses.points) parts.push_back(counted(points, "point"));
+  if (heights) parts.emplace_back("third coordinates");
+  if (!parts.empty()) fmt::print(stderr, "lambert: note: {}: left out: {}\n", input.name, fmt::join(parts, ", "));
+}
+
+/// By the grid of boolean.h.
+void note_rounding(const PolygonInput& input) {
+  Sizes sizes;
+  for (const Feature& feature : input.features.features) sizes.add(rings_of(feature));
+  if (sizes.most > 0 && std::ilogb(sizes.least) < std::ilogb(sizes.most) - 420)
+    fmt::print(stderr, "lambert: note: {}: beside coordinates of {} those of {} are rounded to a multiple of {}\n",
+               input.name, number_text(sizes.most), number_text(sizes.least),
+               number_text(std::ldexp(1.0, std::ilogb(sizes.most) - 471)));
+}
+
 }  // namespace
 
 CLI::Option* add_input_options(CLI::App& app, PolygonOptions& o, bool with_rule) {
@@ -48,30 +76,15 @@ CLI::Option* add_input_options(CLI::App& app, PolygonOptions& o, bool with_rule)
   return app.add_option("files", o.files, "GeoJSON, WKT or vertex lists; none or -: standard input")->type_name("FILE");
 }
 
-std::vector<PolygonInput> read_inputs(const PolygonOptions& o) {
+std::vector<PolygonInput> read_inputs(const PolygonOptions& o, Uses uses) {
   std::vector<PolygonInput> inputs;
   if (o.files.empty()) inputs.push_back(read_input("-"));
   for (const std::string& file : o.files) inputs.push_back(read_input(file));
-  return inputs;
-}
-
-void note_what_counts_not(const std::vector<PolygonInput>& inputs) {
   for (const PolygonInput& input : inputs) {
-    std::size_t lines = 0, points = 0;
-    Sizes sizes;
-    for (const Feature& feature : input.features.features) {
-      lines += feature.lines.size(), points += feature.points.points.size();
-      sizes.add(rings_of(feature));
-    }
-    std::string words = lines > 0 ? counted(lines, "line") : "";
-    if (points > 0) words += (lines > 0 ? " and " : "") + counted(points, "point");
-    if (!words.empty()) fmt::print(stderr, "lambert: note: {}: {} left out: they enclose nothing\n", input.name, words);
-    // The grid of boolean.h.
-    if (sizes.most > 0 && std::ilogb(sizes.least) < std::ilogb(sizes.most) - 420)
-      fmt::print(stderr, "lambert: note: {}: beside coordinates of {} those of {} are rounded to a multiple of {}\n",
-                 input.name, number_text(sizes.most), number_text(sizes.least),
-                 number_text(std::ldexp(1.0, std::ilogb(sizes.most) - 471)));
+    note_left_out(input, uses);
+    if (uses.validity) note_rounding(input);
   }
+  return inputs;
 }
 
 Features joined(const std::vector<PolygonInput>& inputs) {
@@ -87,6 +100,16 @@ FillRule fill_rule(const PolygonOptions& o) {
   throw Error("--rule: unknown rule " + unknown_word(o.rule, {"even-odd", "non-zero"}));
 }
 
+Features cut_from(const Features& all, const std::function<void(const Feature&, Feature&)>& add) {
+  Features result;
+  result.members = all.members, result.srid = all.srid;
+  for (const Feature& source : all.features) {
+    result.features.push_back(cut_from(source));
+    add(source, result.features.back());
+  }
+  return result;
+}
+
 Feature cut_from(const Feature& source) {
   Feature feature;
   feature.name = source.name;
@@ -94,36 +117,5 @@ Feature cut_from(const Feature& source) {
     if (member.key != "bbox") feature.members.push_back(member);
   return feature;
 }
-
-std::vector<double> parse_reals(const std::string& flag, const std::string& text, std::size_t count,
-                                const std::string& expected) {
-  const auto fail = [&] { throw Error(flag + ": expected " + expected + ", got '" + printable(text) + "'"); };
-  std::vector<double> numbers;
-  const char *at = text.data(), *const end = at + text.size();
-  while (numbers.size() < count) {
-    double value = 0;
-    at = parse_double(at, end, value);
-    if (!at) fail();
-    numbers.push_back(value);
-    if (numbers.size() == count) break;
-    if (at == end || *at != ',') fail();
-    ++at;
-  }
-  if (at != end) fail();
-  return numbers;
-}
-
-Vec2i parse_size(const std::string& flag, const std::string& text) {
-  std::int64_t width = 0, height = 0;
-  const char* const end = text.data() + text.size();
-  const char* at = parse_int(text.data(), end, width);
-  if (at && at != end && *at == 'x') at = parse_int(at + 1, end, height);
-  constexpr std::int64_t most = 16384;
-  if (at != end || width < 1 || height < 1 || width > most || height > most)
-    throw Error(flag + ": expected WIDTHxHEIGHT from 1 to 16384, got '" + printable(text) + "'");
-  return {static_cast<int>(width), static_cast<int>(height)};
-}
-
-std::string point_text(Vec2d p) { return "(" + number_text(p.x) + ", " + number_text(p.y) + ")"; }
 
 }  // namespace lambert::cli

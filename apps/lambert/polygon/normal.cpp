@@ -6,6 +6,8 @@
 #include "lambert/base/number.h"
 #include "lambert/polygon/queries/normal.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace lambert::cli {
@@ -20,7 +22,7 @@ std::string text_of(Vec3d v) {
 }
 
 int run(const PolygonOptions& o) {
-  const std::vector<PolygonInput> inputs = read_inputs(o);
+  const std::vector<PolygonInput> inputs = read_inputs(o, {.ring_heights = true});
   nlohmann::ordered_json rings = nlohmann::json::array();
   std::string text;
   Picture picture{.title = "normal (seen along z)"};

@@ -8,6 +8,7 @@
 #include "lambert/polygon/queries/segment.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <optional>
 
@@ -45,19 +46,14 @@ std::optional<Picked> nearest(const std::vector<PolygonInput>& inputs, const Gra
   return best;
 }
 
-Box2 window_of(const Options& o, const std::vector<PolygonInput>& inputs) {
-  if (o.window.empty()) return box_of(vertices_of(joined(inputs)));
-  const std::vector<double> n = parse_reals("--window", o.window, 4, "x0,y0,x1,y1");
-  return {{n[0], n[1]}, {n[2], n[3]}};
-}
-
 int run(const Options& o) {
   if (!(o.radius > 0) || !(o.width > 0) || !(o.radius > o.width / 2))
     throw Error("pick: expected --radius and --width above 0, the radius more than half the width");
   if (o.at.empty()) throw Error("pick: expected --at X,Y");
-  const std::vector<PolygonInput> inputs = read_inputs(o);
+  const std::vector<Vec2d> points = parse_points("--at", o.at);
+  const std::vector<PolygonInput> inputs = read_inputs(o, {.lines = true});
   const Vec2i size = parse_size("--viewport", o.viewport);
-  const Box2 window = window_of(o, inputs);
+  const Box2 window = o.window.empty() ? box_of(vertices_of(joined(inputs))) : parse_window("--window", o.window);
   if (window.empty()) throw Error("pick: there is nothing to pick");
   const GravityField field =
       o.units ? GravityField{o.radius, o.width} : field_of_pixels(o.radius, o.width, window, {{0, 0}, Vec2d(size)});
@@ -66,9 +62,7 @@ int run(const Options& o) {
   show_inputs(picture, inputs);
   nlohmann::ordered_json answers = nlohmann::json::array();
   std::string text;
-  for (const std::string& at : o.at) {
-    const std::vector<double> n = parse_reals("--at", at, 2, "X,Y");
-    const Vec2d p(n[0], n[1]);
+  for (const Vec2d p : points) {
     const auto picked = nearest(inputs, field, p);
     nlohmann::ordered_json j{{"at", {p.x, p.y}}, {"picked", nullptr}};
     text += point_text(p) + " picks ";
@@ -80,11 +74,10 @@ int run(const Options& o) {
       text += "edge " + std::to_string(picked->edge) + " of " + picked->place.text() + ", at a distance of " +
               number_text(picked->distance) + "\n";
       const Feature& feature = picked->place.feature_of();
-      const Ring& points = picked->place.line ? feature.lines[*picked->place.line].points
-                                              : feature.polygons[*picked->place.polygon][*picked->place.ring].points;
-      picture.lines.push_back({.points = {points[picked->edge], points[next_index(picked->edge, points.size())]},
-                               .colour = alarm,
-                               .width = 3});
+      const Ring& path = picked->place.line ? feature.lines[*picked->place.line].points
+                                            : feature.polygons[*picked->place.polygon][*picked->place.ring].points;
+      picture.lines.push_back(
+          {.points = {path[picked->edge], path[next_index(picked->edge, path.size())]}, .colour = alarm, .width = 3});
     } else {
       text += "nothing\n";
     }
@@ -99,9 +92,7 @@ int run(const Options& o) {
 std::function<int()> add_pick(CLI::App& app) {
   static Options options;
   add_input_options(app, options, false);
-  app.add_option("--at", options.at, "A point X,Y of the data; several allowed")
-      ->type_name("X,Y")
-      ->allow_extra_args(false);
+  add_at_option(app, options.at);
   app.add_option("--radius", options.radius, "Of the disks about the ends, in pixels")->capture_default_str();
   app.add_option("--width", options.width, "Of the rectangle along the edge, from side to side, in pixels")
       ->capture_default_str();

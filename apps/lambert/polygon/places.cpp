@@ -1,5 +1,7 @@
 #include "places.h"
 
+#include <nlohmann/json.hpp>
+
 namespace lambert::cli {
 
 using namespace polygon;
@@ -55,10 +57,6 @@ void show_pieces(Picture& picture, const std::vector<Rings>& pieces) {
     for (const Vec2d p : pieces[i][0]) mean += p / static_cast<double>(pieces[i][0].size());
     if (pieces[i].size() == 1) picture.labels.push_back({.at = mean, .text = std::to_string(i), .colour = strong(i)});
   }
-}
-
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 }  // namespace lambert::cli

@@ -5,8 +5,6 @@
 
 #include "lambert/polygon/formats/features.h"
 
-#include <nlohmann/json.hpp>
-
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,8 +43,6 @@ void show_inputs(draw::Picture& picture, const std::vector<PolygonInput>& inputs
                  polygon::FillRule rule = polygon::FillRule::even_odd);
 /// Rings of several pieces, each with a colour of its own and, while there are few, its number.
 void show_pieces(draw::Picture& picture, const std::vector<polygon::Rings>& pieces);
-/// "3 rings", "1 ring"
-std::string counted(std::size_t count, const std::string& noun);
 
 inline constexpr draw::Colour ink{36, 41, 47}, slate{87, 96, 106}, alarm{207, 34, 46};
 

@@ -69,8 +69,7 @@ void append(TriangleMesh& all, const TriangleMesh& more) {
 
 int run_extrude(const ExtrudeOptions& o) {
   const Extrusion settings{.along = parse_vector("--along", o.along), .crease = degrees(o.crease)};
-  const std::vector<PolygonInput> inputs = read_inputs(o);
-  note_what_counts_not(inputs);
+  const std::vector<PolygonInput> inputs = read_inputs(o, {.validity = true});
   const Regions regions = normalised(rings_of(joined(inputs)), fill_rule(o));
   if (regions.empty()) throw Error("extrude: the polygons enclose nothing");
   return write_solid(o, extrude(regions, settings));
@@ -84,7 +83,7 @@ int run_revolve(const RevolveOptions& o) {
                             .sweep = degrees(o.sweep),
                             .steps = o.steps,
                             .crease = degrees(o.crease)};
-  const std::vector<PolygonInput> inputs = read_inputs(o);
+  const std::vector<PolygonInput> inputs = read_inputs(o, {.lines = true, .line_heights = true, .validity = true});
   TriangleMesh mesh;
   for (const Feature& feature : joined(inputs).features) {
     for (const Region& region : normalised(rings_of(feature), fill_rule(o))) append(mesh, revolve(region, settings));

@@ -2,6 +2,7 @@
 /// What the verbs of `lambert polygon` share.
 
 #include "lambert/draw/picture.h"
+#include "lambert/polygon/box.h"
 #include "lambert/polygon/formats/file.h"
 
 #include <CLI/App.hpp>
@@ -34,11 +35,16 @@ struct PolygonInput {
   polygon::FileFormat format = polygon::FileFormat::geojson;
 };
 
-/// The files, or standard input when there is none or its name is "-". Throws Error.
-std::vector<PolygonInput> read_inputs(const PolygonOptions& o);
-/// Says on standard error, in a line a file, how many lines and points it holds that a verb which takes what polygons
-/// enclose leaves out, and where sizes of coordinates differ so much that the smallest count as 0 in its result.
-void note_what_counts_not(const std::vector<PolygonInput>& inputs);
+/// What of its files a verb works on, beside the x and y of rings.
+struct Uses {
+  bool lines = false, points = false;
+  bool ring_heights = false, line_heights = false;
+  bool validity = false;  ///< rings are made valid, which rounds the smallest of sizes that differ too much
+};
+
+/// The files, or standard input when there is none or its name is "-". Says on standard error, in a line a file, what
+/// of it the verb leaves out, and which coordinates it rounds. Throws Error.
+std::vector<PolygonInput> read_inputs(const PolygonOptions& o, Uses uses);
 /// All features of all inputs in one collection.
 polygon::Features joined(const std::vector<PolygonInput>& inputs);
 polygon::FillRule fill_rule(const PolygonOptions& o);
@@ -53,13 +59,23 @@ void write_facts(const PolygonOptions& o, const nlohmann::ordered_json& facts, c
 
 /// Name and members of `source`, but for those that its geometry made true ("bbox"): what is cut from it.
 polygon::Feature cut_from(const polygon::Feature& source);
+/// A collection like `all`, of one feature cut from each of its: add(source, feature) gives it its geometry.
+polygon::Features cut_from(const polygon::Features& all,
+                           const std::function<void(const polygon::Feature&, polygon::Feature&)>& add);
 
 /// Numbers parted by commas. Throws Error naming the flag and what was expected.
 std::vector<double> parse_reals(const std::string& flag, const std::string& text, std::size_t count,
                                 const std::string& expected);
+/// --at X,Y, which may be given several times, and what it was given.
+void add_at_option(CLI::App& app, std::vector<std::string>& at);
+std::vector<Vec2d> parse_points(const std::string& flag, const std::vector<std::string>& texts);
+/// x0,y0,x1,y1. Throws Error unless x0 <= x1 and y0 <= y1.
+polygon::Box2 parse_window(const std::string& flag, const std::string& text);
 /// "640x480". Throws Error unless both are from 1 to 16384.
 Vec2i parse_size(const std::string& flag, const std::string& text);
 
+/// "3 rings", "1 ring"
+std::string counted(std::size_t count, const std::string& noun);
 /// "(1, 2.5)"
 std::string point_text(Vec2d p);
 

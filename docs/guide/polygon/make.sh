@@ -8,6 +8,7 @@ draw() { # VERB NAME ARGUMENTS…: check and classify end with 1 where they find
 }
 draw check check faults.geojson
 draw classify classify star.wkt
+draw classify overlap overlap.wkt
 draw contains contains islands.geojson --at 3,3 --at 2,2 --at 2.5,2 --at 9,5 --at 9,6.8 --at 6.5,1
 draw pick pick room.geojson --at 5,1.08 --at 3,5
 draw clip clip-window room.geojson --window 1,1,9,6.5
@@ -19,7 +20,9 @@ draw difference difference star.wkt ring.txt
 draw xor xor star.wkt ring.txt
 draw union non-zero star.wkt --rule non-zero
 draw trapezoids trapezoids room.geojson
+draw trapezoids trapezoids-rotation room.geojson --tie-break rotation --seed 3
 draw convex convex room.geojson
+draw convex quad quad.txt
 draw triangulate triangulate room.geojson
 draw strips strips room.geojson
 draw fill fill six.txt

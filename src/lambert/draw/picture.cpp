@@ -59,7 +59,8 @@ class Artist {
     }
     for (const auto& [y, text] : sheet_.rows()) {
       line({left, y}, {right, y});
-      drawing_.marks.emplace_back(Words{{left - 5, y + 3}, text, grey, 9, Anchor::end});
+      const double end = std::max(left - 5, 2 + text_width(text, 9));  // a long number may reach into the padding
+      drawing_.marks.emplace_back(Words{{end, y + 3}, text, grey, 9, Anchor::end});
     }
   }
 
@@ -161,8 +162,9 @@ Vec2d away_from_edges(const Ring& ring, std::size_t i) {
 
 void add_indices(Picture& picture, const Rings& rings, const Colour& colour, std::size_t first) {
   for (const Ring& ring : rings) {
+    const double radius = ring.size() > 500 ? 1.2 : 2.6;  // the dots of many vertices would hide the edges
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      picture.points.push_back({.at = ring[i], .colour = colour, .radius = 2.6});
+      picture.points.push_back({.at = ring[i], .colour = colour, .radius = radius});
       picture.labels.push_back(
           {.at = ring[i], .text = std::to_string(first + i), .colour = colour, .away = away_from_edges(ring, i)});
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lambert::draw {
 
@@ -14,8 +15,8 @@ Sheet::Sheet(const Box2& box, const PictureOptions& options, double title_height
   if (!(std::max(half_size.x, half_size.y) > 0)) half_size = Vec2d(std::max(0.5, std::abs(half_centre_.x) * 1e-6));
   const double inner_width = std::max(64.0, options.width - 2 * margin);
   const double inner_max_height = std::max(64.0, options.max_height - 2 * margin);
-  half_pixel_ =
-      std::max({half_size.x / (inner_width - 2 * padding), half_size.y / (inner_max_height - 2 * padding), 1e-300});
+  half_pixel_ = std::max({half_size.x / (inner_width - 2 * padding), half_size.y / (inner_max_height - 2 * padding),
+                          std::numeric_limits<double>::min()});
   const double inner_height =
       std::clamp(half_size.y / half_pixel_ + 2 * padding, std::min(120.0, inner_max_height), inner_max_height);
   width_ = inner_width + 2 * margin;

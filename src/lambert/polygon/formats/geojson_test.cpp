@@ -1,6 +1,6 @@
 #include "lambert/polygon/formats/geojson.h"
 
-#include "damage.h"
+#include "lambert/polygon/formats/format_test_tools.h"
 
 #include <limits>
 
@@ -11,11 +11,7 @@ Features parse(const std::string& text) { return parse_geojson(text, "f.geojson"
 std::string error_in(const std::string& text) {
   return error_of([&] { parse(text); });
 }
-Feature only(const std::string& text) {
-  const Features features = parse(text);
-  EXPECT_EQ(features.features.size(), 1u);
-  return features.features.at(0);
-}
+Feature only(const std::string& text) { return test::only_feature(parse(text)); }
 std::string polygon(const std::string& coordinates) {
   return R"({"type":"Polygon","coordinates":)" + coordinates + "}";
 }

@@ -1,6 +1,6 @@
 #include "lambert/polygon/formats/wkt.h"
 
-#include "damage.h"
+#include "lambert/polygon/formats/format_test_tools.h"
 
 namespace lambert::polygon {
 namespace {
@@ -9,11 +9,7 @@ Features parse(const std::string& text) { return parse_wkt(text, "f.wkt"); }
 std::string error_in(const std::string& text) {
   return error_of([&] { parse(text); });
 }
-Feature only(const std::string& text) {
-  const Features features = parse(text);
-  EXPECT_EQ(features.features.size(), 1u);
-  return features.features.at(0);
-}
+Feature only(const std::string& text) { return test::only_feature(parse(text)); }
 
 TEST(Wkt, EveryGeometry) {
   EXPECT_EQ(only("POINT (1 2)").points.points, (Ring{{1, 2}}));
@@ -72,7 +68,8 @@ TEST(Wkt, WhatIsWrittenReadsTheSame) {
        {"POINT (0.1 -2e-300)\n", "MULTIPOINT Z (1 2 3, 4 5 6)\n", "LINESTRING (1 2, 3 4)\n",
         "MULTILINESTRING ((1 2, 3 4), (5 6, 7 8))\n", "POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 1 2, 2 1, 1 1))\n",
         "MULTIPOLYGON Z (((0 0 1, 4 0 1, 0 4 1, 0 0 1)), ((5 5 1, 6 5 1, 5 6 1, 5 5 1), EMPTY))\n",
-        "GEOMETRYCOLLECTION (POINT (1 2), LINESTRING (1 2, 3 4))\n", "GEOMETRYCOLLECTION EMPTY\n"})
+        "GEOMETRYCOLLECTION (POINT (1 2), LINESTRING (1 2, 3 4))\n", "GEOMETRYCOLLECTION EMPTY\n", "POLYGON (EMPTY)\n",
+        "MULTILINESTRING (EMPTY, (1 2, 3 4))\n"})
     EXPECT_EQ(wkt_text(parse(text)), text);
 }
 

@@ -1,15 +1,28 @@
 #include "lambert/base/number.h"
 #include "lambert/polygon/formats/wkt.h"
 
-#include <algorithm>
-
 namespace lambert::polygon {
 namespace {
 
-bool has_heights(const Path& path) { return !path.heights.empty() || path.points.empty(); }
-bool has_heights(const std::vector<Path>& paths) {
-  return std::ranges::all_of(paths, [](const Path& path) { return has_heights(path); });
-}
+/// Every vertex of these has one, and there is some: Z is said once for all of them.
+class Heights {
+ public:
+  explicit Heights(const Path& path) { add(path); }
+  explicit Heights(const std::vector<Path>& paths) {
+    for (const Path& path : paths) add(path);
+  }
+  explicit Heights(const std::vector<PathPolygon>& polygons) {
+    for (const PathPolygon& rings : polygons)
+      for (const Path& ring : rings) add(ring);
+  }
+  bool everywhere() const { return some_ && !lacking_; }
+
+ private:
+  void add(const Path& path) {
+    if (!path.points.empty()) (path.heights.empty() ? lacking_ : some_) = true;
+  }
+  bool some_ = false, lacking_ = false;
+};
 
 class Writer {
  public:
@@ -40,16 +53,15 @@ class Writer {
     text_ += std::string(many ? "MULTI" : "") + name + (heights ? " Z " : " ");
   }
   void points(const Path& path) {
-    begin("POINT", path.points.size() > 1, has_heights(path));
+    begin("POINT", path.points.size() > 1, Heights(path).everywhere());
     positions(path, false);
   }
   void lines(const std::vector<Path>& paths) {
-    begin("LINESTRING", paths.size() > 1, has_heights(paths));
+    begin("LINESTRING", paths.size() > 1, Heights(paths).everywhere());
     one_or_many(paths, [&](const Path& path) { positions(path, false); });
   }
   void polygons(const std::vector<PathPolygon>& all) {
-    begin("POLYGON", all.size() > 1,
-          std::ranges::all_of(all, [](const PathPolygon& rings) { return has_heights(rings); }));
+    begin("POLYGON", all.size() > 1, Heights(all).everywhere());
     one_or_many(
         all, [&](const PathPolygon& rings) { list(rings, [&](const Path& ring) { positions(ring, ring.closed); }); });
   }

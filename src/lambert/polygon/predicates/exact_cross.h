@@ -38,7 +38,8 @@ Expansion<16, Real> exact_cross(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
 /// place.
 using WideReal = long double;
 static_assert(std::numeric_limits<WideReal>::max_exponent >= 16384 &&
-              std::numeric_limits<WideReal>::min_exponent <= -16381);
+                  std::numeric_limits<WideReal>::min_exponent <= -16381,
+              "exact decisions at extreme sizes need a long double with an exponent of 15 bits");
 
 /// 2^exponent, from -1022 to 1023.
 constexpr double power_of_two(int exponent) {

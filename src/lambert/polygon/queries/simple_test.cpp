@@ -1,6 +1,7 @@
 #include "lambert/polygon/queries/simple.h"
 
 #include "lambert/polygon/queries/segment.h"
+#include "lambert/polygon/test_polygons.h"
 
 #include <gtest/gtest.h>
 
@@ -51,22 +52,11 @@ TEST(CheckSimple, AgreesWithPairsOnSmallGrids) {
   for (const int n : seen) EXPECT_GT(n, 1000);
 }
 
-/// A ring without crossings that winds in and out, star-shaped about the origin.
-Ring star_shaped(std::size_t n, std::mt19937_64& random) {
-  std::uniform_real_distribution<double> radius(0.5, 1);
-  Ring ring;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n), r = radius(random);
-    ring.emplace_back(r * std::cos(angle), r * std::sin(angle));
-  }
-  return ring;
-}
-
 // rows: PG-05 PG-07
 TEST(CheckSimple, FindsTheOneFaultOfALongRing) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 50; ++i) {
-    Ring ring = star_shaped(500, random);
+    Ring ring = test::star(random, 500, 0.5);
     EXPECT_EQ(check_simple(ring).kind, Kind::simple);
     const std::size_t at = random() % 498;
     Ring crossed = ring, touched = ring;
@@ -122,7 +112,7 @@ TEST(CheckSimple, ServesCoordinatesOfAnySize) {
 // rows: PG-07
 TEST(CheckSimple, TakesAFractionOfASecondForAHundredThousandVertices) {
   std::mt19937_64 random(3);
-  const Ring ring = star_shaped(100000, random);
+  const Ring ring = test::star(random, 100000, 0.5);
   const auto start = std::chrono::steady_clock::now();
   EXPECT_TRUE(check_simple(ring).simple());
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
