@@ -2,9 +2,11 @@
 #include "interrupt.h"
 #include "number_range.h"
 #include "print_path.h"
+#include "progress_report.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
+#include "lambert/base/log.h"
 #include "lambert/base/parallel.h"
 #include "lambert/image/composite/composite.h"
 #include "lambert/image/composite/sequence.h"
@@ -26,7 +28,7 @@ namespace {
 using namespace composite;
 
 struct Options {
-  std::string expression, frames, resolution, depth = "auto", compression = "zip", print, stats;
+  std::string expression, frames, resolution, depth = "auto", compression = "zip", print, stats, progress;
   std::vector<std::string> outputs;
   std::size_t threads = 0;
   bool quiet = false;
@@ -69,6 +71,10 @@ void check_outputs(const Options& o, std::size_t frames) {
   }
 }
 
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 int run(const Options& o) {
   const Source source = read_expression(o.expression);
   if (o.print == "text") fmt::print("{}\n", to_text(source.tree));
@@ -84,25 +90,36 @@ int run(const Options& o) {
   if (o.threads > 0) set_thread_count(o.threads);
   const WriteOptions write{.depth = parse_depth(o.depth), .compression = parse_compression(o.compression)};
   CompositeSettings settings{.display = display_of(o), .name = source.name, .text = source.text};
-  const std::stop_token stop = stop_on_interrupt();
+  settings.stop = stop_on_interrupt();
+  const ProgressSink progress = o.quiet ? ProgressSink() : progress_sink(o.progress);
   const auto start = std::chrono::steady_clock::now();
   std::size_t bytes = 0;
+  double frames_done = 0;
   int bands = 0;
   for (const int frame : frames) {
-    if (stop.stop_requested()) return interrupted;
     std::vector<std::filesystem::path> outputs;
     for (const std::string& path : o.outputs) outputs.emplace_back(name_at_frame(path, frame));
     settings.frame = frame;
+    if (progress)
+      settings.progress = [&](double fraction) {
+        const double all = (frames_done + fraction) / static_cast<double>(frames.size()),
+                     elapsed = seconds_since(start);
+        progress({.fraction = all, .elapsed_seconds = elapsed, .remaining_seconds = elapsed / all * (1 - all)});
+      };
     const CompositeReport report = composite_to_files(source.tree, outputs, write, settings);
+    if (report.stopped) {
+      log::warn(fmt::format("interrupted in frame {}, which is not written", frame));
+      return interrupted;
+    }
+    ++frames_done;
     bytes = std::max(bytes, report.bytes_in_bands);
     bands += report.bands;
     if (!o.quiet)
       for (const auto& path : outputs) print_path(path);
   }
   if (!o.stats.empty()) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     const nlohmann::ordered_json facts{
-        {"frames", frames.size()}, {"seconds", elapsed.count()}, {"bands", bands}, {"bytes_in_bands", bytes}};
+        {"frames", frames.size()}, {"seconds", seconds_since(start)}, {"bands", bands}, {"bytes_in_bands", bytes}};
     write_atomically(o.stats, facts.dump(2) + "\n");
   }
   return done;
@@ -147,7 +164,8 @@ std::function<int()> add_composite(CLI::App& app) {
   app.add_option("--stats", options.stats, "Write times and memory as JSON");
   expect_number(app.add_option("--threads", options.threads, "Threads; 0 is one for each processor"),
                 {.expected = "a number from 0 to 1024", .below = 1025});
-  app.add_flag("--quiet", options.quiet, "Print no paths");
+  app.add_option("--progress", options.progress, "tty, ndjson or none")->check(CLI::IsMember(progress_styles()));
+  app.add_flag("--quiet", options.quiet, "Print no paths and no progress");
   app.footer(explanation());
   return [] { return run(options); };
 }

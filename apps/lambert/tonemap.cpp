@@ -53,8 +53,8 @@ Image mapped(std::vector<Image> inputs, const std::string& name, const TonemapOp
 
 void check(const TonemapOptions& o) {
   for (const std::string& name : o.operators) tone_operator(name);
-  if (o.inputs.empty()) throw Error("no image was given");
-  if (o.outputs.empty()) throw Error("no output was given: name it with -o");
+  if (o.inputs.empty()) throw CLI::RequiredError("images");
+  if (o.outputs.empty()) throw CLI::RequiredError("--output");
   if (o.operators.size() > 1 && !o.montage) throw Error("--operator: several need --montage");
   if (o.montage && !o.assignments.empty()) throw Error("--set belongs to one operator, not to --montage");
   if (o.inputs.size() > 1 && (o.montage || o.operators != std::vector<std::string>{tone::Mertens::name}))

@@ -117,7 +117,7 @@ class Operators(Maps):
                 (["--montage", "--set", "key=1"], "--set belongs to one operator")]:
             done = self.lambert("tonemap", scene, *words, "-o", "x.png", status=1)
             self.assertIn(message, done.stderr)
-        self.assertIn("no output", self.lambert("tonemap", scene, status=1).stderr)
+        self.assertIn("--output is required", self.lambert("tonemap", scene, status=2).stderr)
         self.assertIn("nothing.exr", self.lambert("tonemap", "nothing.exr", "-o", "x.png", status=1).stderr)
         self.assertIn("stack of exposures", self.lambert("tonemap", scene, scene, "-o", "x.png", status=1).stderr)
         self.lambert("tonemap", scene, "--bogus", status=2)

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace lambert::cli {
 
@@ -83,7 +84,10 @@ std::string as_text(const Comparison& c, int status) {
 
 void write_pictures(const Comparison& c) {
   const CompareOptions& o = c.o;
-  if (!o.difference.empty()) write_image(o.difference, difference(c.pair.a, c.pair.b));
+  if (!o.difference.empty()) {
+    const bool exr = std::filesystem::path(o.difference).extension() == ".exr";
+    write_image(o.difference, difference(c.pair.a, c.pair.b), {.depth = exr ? Depth::full : Depth::automatic});
+  }
   if (o.heat.empty()) return;
   Plane plane(c.pair.a.width(), c.pair.a.height());
   double top = 1;

@@ -1,5 +1,6 @@
 #include "lambert/base/number.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -61,12 +62,37 @@ std::string number_text(double value) {
   return text;
 }
 
+namespace {
+
+/// Bytes of the character that `text` begins with, if it is one of UTF-8 beyond ASCII (RFC 3629, C1 controls and
+/// overlong forms apart), else 0.
+std::size_t utf8_size(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text[0]);
+  const std::size_t size = lead >= 0xc2 && lead <= 0xdf ? 2 : lead >= 0xe0 && lead <= 0xef ? 3 : 0;
+  if (size == 0 && (lead < 0xf0 || lead > 0xf4)) return 0;
+  const std::size_t bytes = size == 0 ? 4 : size;
+  if (text.size() < bytes) return 0;
+  for (std::size_t i = 1; i < bytes; ++i)
+    if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) return 0;
+  const auto second = static_cast<unsigned char>(text[1]);
+  const bool wrong = (lead == 0xc2 && second < 0xa0) || (lead == 0xe0 && second < 0xa0) ||
+                     (lead == 0xed && second > 0x9f) || (lead == 0xf0 && second < 0x90) ||
+                     (lead == 0xf4 && second > 0x8f);
+  return wrong ? 0 : bytes;
+}
+
+}  // namespace
+
 std::string printable(std::string_view word) {
-  std::string s(word.substr(0, 40));
-  for (char& c : s) {
-    if (c < ' ' || c > '~') c = '?';
+  constexpr std::size_t most = 40;  // bytes
+  std::string s;
+  while (!word.empty() && s.size() < most) {
+    const bool plain = word[0] >= ' ' && word[0] <= '~';
+    const std::size_t size = plain ? 1 : utf8_size(word);
+    s += size == 0 ? std::string_view("?") : word.substr(0, size);
+    word.remove_prefix(std::max<std::size_t>(size, 1));
   }
-  return word.size() > 40 ? s + "…" : s;
+  return word.empty() ? s : s + "…";
 }
 
 }  // namespace lambert

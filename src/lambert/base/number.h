@@ -20,7 +20,8 @@ void append_number(std::string& text, double value);
 void append_number(std::string& text, float value);
 std::string number_text(double value);
 
-/// A word of the input as messages show it: cut to a bearable length, unprintable bytes replaced by '?'.
+/// A word of the input as messages show it: cut to a bearable length, control characters and bytes that
+/// are no UTF-8 replaced by '?'.
 std::string printable(std::string_view word);
 
 }  // namespace lambert

@@ -71,6 +71,14 @@ TEST(Number, WhatIsNoNumber) {
 TEST(Number, PrintableIsShortAndPlain) {
   EXPECT_EQ(printable("a\x01\xffz"), "a??z");
   EXPECT_LT(printable(std::string(1000, 'x')).size(), 50u);
+  EXPECT_EQ(printable("évil 漢 \xf0\x9f\x8c\x8d"), "évil 漢 \xf0\x9f\x8c\x8d");
+  EXPECT_EQ(printable("\xc3"), "?") << "cut off";
+  EXPECT_EQ(printable("\xc0\xaf"), "??") << "overlong";
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "1m"),
+            "??1m")
+      << "a terminal's escape";
+  EXPECT_EQ(printable("\xed\xa0\x80"), "???") << "half of a surrogate pair";
 }
 
 }  // namespace

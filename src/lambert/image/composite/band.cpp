@@ -23,6 +23,7 @@ std::int64_t bottom(const Window& w) { return std::int64_t{w.y} + w.height; }
 }  // namespace
 
 Band BandPool::take(const Window& window, std::size_t channels) {
+  if (stop_.stop_requested()) throw Stopped();
   constexpr std::uint64_t most_floats = std::uint64_t{1} << 31;
   const std::uint64_t pixels = static_cast<std::uint64_t>(window.width) * static_cast<std::uint64_t>(window.height);
   if (channels > 0 && pixels > most_floats / channels)

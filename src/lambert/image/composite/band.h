@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -36,16 +37,21 @@ class Band {
   std::unique_ptr<float[]> pixels_;
 };
 
+/// Thrown by a BandPool that was told to stop.
+struct Stopped {};
+
 /// Keeps what is given back for the next band, so that memory is touched once.
 class BandPool {
  public:
-  /// Its pixels are not set. Throws Error when it is too large.
+  explicit BandPool(std::stop_token stop = {}) : stop_(std::move(stop)) {}
+  /// Its pixels are not set. Throws Error when it is too large, and Stopped.
   Band take(const Window& window, std::size_t channels);
   void give(Band&& band);
   /// The most floats that were taken at one time.
   std::size_t peak() const { return peak_; }
 
  private:
+  std::stop_token stop_;
   std::vector<Band> kept_;
   std::size_t taken_ = 0, peak_ = 0;
 };

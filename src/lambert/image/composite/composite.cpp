@@ -45,6 +45,8 @@ Job prepare(const Expression& expression, bool extras, Pictures& pictures, const
                 std::to_string(job.header.data.height) + " pixels; 'crop' the elements");
   job.header.channels = shape.channels;
   if (!shape.has_alpha) job.header.channels.erase(job.header.channels.begin() + alpha_channel);
+  for (const FileAt& f : files_at(expression, settings.frame))
+    job.header.full_floats |= pictures.header(f.file).full_floats;
   job.band_rows = rows_for(job.root->margin(), pictures.any_in_bands());
   return job;
 }
@@ -76,13 +78,17 @@ CompositeReport run(Job& job, const CompositeSettings& settings, BandPool& pool,
                     const std::function<void(const Band&)>& take) {
   CompositeReport report{.data = job.header.data};
   const Window& data = job.header.data;
-  for (int y = 0; y < data.height; y += job.band_rows) {
-    const Window region{data.x, data.y + y, data.width, std::min(job.band_rows, data.height - y)};
-    Band band = job.root->pull(region, pool);
-    take(band);
-    pool.give(std::move(band));
-    ++report.bands;
-    if (settings.progress) settings.progress(static_cast<double>(y + region.height) / data.height);
+  try {
+    for (int y = 0; y < data.height; y += job.band_rows) {
+      const Window region{data.x, data.y + y, data.width, std::min(job.band_rows, data.height - y)};
+      Band band = job.root->pull(region, pool);
+      take(band);
+      pool.give(std::move(band));
+      ++report.bands;
+      if (settings.progress) settings.progress(static_cast<double>(y + region.height) / data.height);
+    }
+  } catch (const Stopped&) {
+    report.stopped = true;
   }
   report.bytes_in_bands = pool.peak() * sizeof(float);
   return report;
@@ -98,13 +104,14 @@ CompositeReport composite_to_files(const Expression& expression, const std::vect
   Job job = prepare(expression, extras, pictures, settings);
   std::vector<ImageWriter> writers;
   for (const std::filesystem::path& path : outputs) writers.emplace_back(path, job.header, options);
-  BandPool pool;
+  BandPool pool(settings.stop);
   const CompositeReport report = run(job, settings, pool, [&](const Band& band) {
     Band rows = pool.take(band.window(), job.header.channels.size());
     interleave(job.root->shape(), band, rows.pixels());
     for (ImageWriter& writer : writers) writer.write(rows.pixels());
     pool.give(std::move(rows));
   });
+  if (report.stopped) return report;
   for (ImageWriter& writer : writers) writer.close();
   return report;
 }
@@ -115,7 +122,7 @@ Image composite(const Expression& expression, Pictures& pictures, const Composit
   image.place({job.header.data.x, job.header.data.y}, job.header.display);
   image.metadata = job.header.metadata;
   image.attributes = job.header.attributes;
-  BandPool pool;
+  BandPool pool(settings.stop);
   run(job, settings, pool, [&](const Band& band) {
     const std::size_t first = static_cast<std::size_t>(band.window().y - job.header.data.y) * job.header.row_size();
     interleave(job.root->shape(), band, image.pixels().subspan(first));

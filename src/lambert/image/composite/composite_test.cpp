@@ -266,6 +266,28 @@ TEST_F(Plane, DeepTreesNeedFewBands) {
   }
 }
 
+TEST(CompositeToFiles, StopsBetweenBandsAndWritesNothing) {
+  const TemporaryFolder folder;
+  std::stop_source source;
+  CompositeSettings settings{.display = Window{0, 0, 64, 400}, .stop = source.get_token()};
+  settings.progress = [&](double) { source.request_stop(); };
+  const CompositeReport report =
+      composite_to_files(parse_expression("disk(32,32,20) blur 2"), {folder.path() / "a.exr"}, {}, settings);
+  EXPECT_TRUE(report.stopped);
+  EXPECT_EQ(report.bands, 1);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(CompositeToFiles, FullFloatsStayWhatTheyAre) {
+  const TemporaryFolder folder;
+  Image image(1, 1, {"R", "G", "B"});
+  image.at(0, 0, 0) = 1e6f;
+  write_image(folder.path() / "sun.exr", image);
+  composite_to_files(parse_expression("'" + (folder.path() / "sun.exr").string() + "' over colour(0,0,0)"),
+                     {folder.path() / "a.exr"});
+  EXPECT_EQ(read_image(folder.path() / "a.exr").at(0, 0, 0), 1e6f);
+}
+
 TEST(Pictures, FilesThatAreDecodedWholeMayBeSpooled) {
   const TemporaryFolder folder;
   const Image image = noise(13, 40, rgb_channels());

@@ -28,6 +28,9 @@ constexpr std::array<Line, operator_count> table = {{
     {"plus", {Factor::one, Factor::one}},
 }};
 
+/// Of an alpha in the result: what is no coverage, negative or not a number, makes no hole in the other element.
+constexpr float kept(float alpha) { return std::max(0.0f, alpha); }
+
 /// The product is taken even where it does not count, so that the loops below have no branches.
 template <Factor f>
 float part(float value, float alpha) {
@@ -48,7 +51,7 @@ template <std::size_t i>
 void alpha_row(std::size_t n, const float* __restrict alpha_a, float* __restrict alpha_b) {
   constexpr Factors f = table[i].factors;
   for (std::size_t x = 0; x < n; ++x)
-    alpha_b[x] = part<f.a>(alpha_a[x], alpha_b[x]) + part<f.b>(alpha_b[x], alpha_a[x]);
+    alpha_b[x] = part<f.a>(kept(alpha_a[x]), alpha_b[x]) + part<f.b>(kept(alpha_b[x]), alpha_a[x]);
 }
 
 template <std::size_t i>
@@ -90,6 +93,7 @@ Factors factors(Operator op) { return line(op).factors; }
 
 Pixel combine(Operator op, Pixel a, Pixel b) {
   const float fa = value_of(factors(op).a, b.a), fb = value_of(factors(op).b, a.a);
+  a.a = kept(a.a), b.a = kept(b.a);
   return (fa > 0 ? fa * a : clear_pixel) + (fb > 0 ? fb * b : clear_pixel);
 }
 

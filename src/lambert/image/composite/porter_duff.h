@@ -60,8 +60,8 @@ constexpr float value_of(Factor factor, float alpha) {
   return 0;
 }
 
-/// F_A A + F_B B in all four channels, alpha among them. What has a factor of 0 does not count, even if it is infinite
-/// or not a number.
+/// F_A A + F_B B in all four channels, alpha among them, of which what is negative or not a number counts as 0. What
+/// has a factor of 0 does not count, even if it is infinite or not a number.
 Pixel combine(Operator op, Pixel a, Pixel b);
 
 /// A row of one channel: b = F_A a + F_B b. All spans have one length; `alpha_a`, `alpha_b` are the coverages of the

@@ -116,7 +116,12 @@ TEST(PorterDuff, WhatIsHiddenDoesNotCount) {
   EXPECT_EQ(combine(Operator::out, hidden, black_pixel), clear_pixel);
   EXPECT_EQ(combine(Operator::in, hidden, clear_pixel), clear_pixel);
   EXPECT_EQ(combine(Operator::over, {0, 0, 0, 7}, hidden).r, 0) << "an alpha above 1 covers as 1 does";
-  EXPECT_EQ(combine(Operator::over, {0, 0, 0, nan}, {1, 2, 3, 1}).b, 3) << "NaN covers nothing";
+  for (const float none : {nan, -1.0f}) {
+    EXPECT_EQ(combine(Operator::over, {0, 0, 0, none}, {1, 2, 3, 1}), (Pixel{1, 2, 3, 1})) << "covers nothing";
+    std::array alpha_b = {1.0f, 0.25f};
+    combine_alpha_row(Operator::over, std::array{none, none}, alpha_b);
+    EXPECT_EQ(alpha_b, (std::array{1.0f, 0.25f})) << "and makes no hole";
+  }
 }
 
 TEST(PorterDuff, RowsAreAsPixels) {

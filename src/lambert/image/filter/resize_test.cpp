@@ -56,6 +56,22 @@ TEST(Resize, IsTheWeightedMean) {
     }
 }
 
+// 53 to 40 and 37 to 28 put centres of pixels on the very ends of the box.
+TEST(Resize, MirroredImagesGiveMirroredResults) {
+  const Image image = noise(53, 37, {"Y"});
+  Image mirrored = image;
+  for (int y = 0; y < 37; ++y)
+    for (int x = 0; x < 53; ++x) mirrored.at(x, y, 0) = image.at(52 - x, 36 - y, 0);
+  for (const Vec2i size : {Vec2i(40, 28), Vec2i(22, 16), Vec2i(25, 18), Vec2i(70, 50)})
+    for (const FilterKind kind : {FilterKind::box, FilterKind::triangle, FilterKind::lanczos}) {
+      const ResizeSettings settings{.filter = {.kind = kind}};
+      const Image a = resized(image, size.x, size.y, settings), b = resized(mirrored, size.x, size.y, settings);
+      for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+          ASSERT_NEAR(a.at(x, y, 0), b.at(size.x - 1 - x, size.y - 1 - y, 0), 2e-6f) << x << ' ' << y;
+    }
+}
+
 TEST(Resize, ConstantsStay) {
   for (const std::string& name : filter_names())
     for (const EdgeMode edge : {EdgeMode::repeat, EdgeMode::mirror, EdgeMode::clamp})

@@ -48,11 +48,15 @@ void Taps::end_normalised(int nearest, int n, EdgeMode edge) {
 Taps resampling_taps(const Kernel& kernel, const LineMap& map, EdgeMode edge) {
   Taps taps;
   const double widening = std::max(1.0, map.scale), radius = kernel.radius() * widening;
+  constexpr double rounding = 1e-9;  // a pixel on the kernel's very end counts on both sides or on none
   for (int i = 0; i < map.out; ++i) {
     const double centre = map.scale * (i + map.offset + 0.5) - 0.5;
-    const int first = static_cast<int>(std::ceil(centre - radius)),
-              last = static_cast<int>(std::floor(centre + radius));
-    for (int k = first; k <= last; ++k) taps.add(k, kernel((k - centre) / widening), map.in, edge);
+    const int first = static_cast<int>(std::ceil(centre - radius - rounding)),
+              last = static_cast<int>(std::floor(centre + radius + rounding));
+    for (int k = first; k <= last; ++k) {
+      const double x = std::clamp((k - centre) / widening, -kernel.radius(), kernel.radius());
+      taps.add(k, kernel(x), map.in, edge);
+    }
     taps.end_normalised(static_cast<int>(std::lround(centre)), map.in, edge);
   }
   return taps;
