@@ -28,12 +28,12 @@ Colour filtered(const Image& image, const DenoiseSettings& settings, DenoiseMeth
 }
 
 /// `image` with its colour replaced.
-Image with_colour(const Image& image, const std::vector<std::size_t>& colour, const Colour& result) {
+Image with_colour(const Image& image, const std::vector<std::size_t>& colour, const Colour& result, bool keep_layers) {
   std::vector<std::string> names = colour.size() == 1 ? std::vector<std::string>{"Y"} : rgb_channels();
   std::vector<std::size_t> kept;
   for (std::size_t c = 0; c < image.channel_count(); ++c) {
     const bool is_colour = std::find(colour.begin(), colour.end(), c) != colour.end();
-    if (is_colour || image.channels()[c].starts_with("denoising.")) continue;
+    if (is_colour || (!keep_layers && image.channels()[c].starts_with("denoising."))) continue;
     kept.push_back(c);
     names.push_back(image.channels()[c]);
   }
@@ -81,7 +81,7 @@ Image denoise_image(const Image& image, const DenoiseSettings& settings) {
     for (const auto& [known, m] : methods)
       if (m == method) name = known;
   }
-  Image out = with_colour(image, colour, result);
+  Image out = with_colour(image, colour, result, settings.keep_layers);
   out.metadata["denoiser"] = name;
   return out;
 }
