@@ -1,6 +1,7 @@
 #include "lambert/image/denoise/denoise.h"
 
 #include "lambert/base/error.h"
+#include "lambert/image/denoise/guide_filter.h"
 #include "lambert/image/denoise/oidn.h"
 
 #include <algorithm>
@@ -20,11 +21,25 @@ constexpr std::array<std::pair<std::string_view, DenoiseMethod>, 5> methods{{
     {"oidn", DenoiseMethod::oidn},
 }};
 
+void scale(Colour& colour, float factor) {
+  for (denoise::Plane& plane : colour)
+    for (float& v : plane.values()) v *= factor;
+}
+
+/// The filters see a picture of about unit brightness, so that their result does not depend on the unit of radiance.
 Colour filtered(const Image& image, const DenoiseSettings& settings, DenoiseMethod method) {
-  const denoise::NoisyImage noisy = denoise::gather(image, settings.input);
-  if (method == DenoiseMethod::nlm) return denoise_nlm(noisy, settings.nlm);
-  if (method == DenoiseMethod::bilateral) return denoise_bilateral(noisy, settings.bilateral);
-  return denoise_nfor(noisy, settings.nfor);
+  denoise::NoisyImage noisy = denoise::gather(image, settings.input);
+  const float unit = denoise::brightness_unit(noisy, denoise::modulation({}, noisy.width, noisy.height));
+  for (Colour* colour : {&noisy.halves[0], &noisy.halves[1], &noisy.emission}) scale(*colour, 1 / unit);
+  for (Colour* variance : {&noisy.variance, &noisy.emission_variance}) {
+    scale(*variance, 1 / unit);
+    scale(*variance, 1 / unit);
+  }
+  Colour result = method == DenoiseMethod::nlm         ? denoise_nlm(noisy, settings.nlm)
+                  : method == DenoiseMethod::bilateral ? denoise_bilateral(noisy, settings.bilateral)
+                                                       : denoise_nfor(noisy, settings.nfor);
+  scale(result, unit);
+  return result;
 }
 
 /// `image` with its colour replaced.

@@ -16,7 +16,7 @@ namespace {
 using Lanes = float __attribute__((vector_size(32)));
 /// Windows stand in every second row, there at every fourth pixel, in turn from the first and from the third: a tile's
 /// row of windows is one vector.
-constexpr int lane_count = 8, row_step = 2, step = 4, rows = tile_size / row_step;
+constexpr int lane_count = 8, row_step = 2, step = 4, window_rows = tile_size / row_step;
 static_assert(lane_count * step == tile_size);
 constexpr int shift(int row) { return row % 2 == 0 ? 0 : step / 2; }
 constexpr int most_features = 7, first_feature = 3, most_unknowns = first_feature + most_features, most_radius = 10;
@@ -104,7 +104,7 @@ class TileRegression {
   TileRegression(const RegressionSettings& settings, std::size_t features, float least)
       : settings_(settings), features_(features), least_(all(least)) {
     const auto across = static_cast<std::size_t>(2 * settings.window_radius + 1);
-    weights_.resize(across * across * rows * lane_count);
+    weights_.resize(across * across * window_rows * lane_count);
   }
 
   void run(Tile tile, const PatchGuide& guide, std::span<const PaddedPlane> colour,
@@ -115,7 +115,7 @@ class TileRegression {
     for (int dy = -radius; dy <= radius; ++dy)
       for (int dx = -radius; dx <= radius; ++dx) {
         const float* from = by_patches.at(dx, dy);
-        for (int j = 0; j < rows; ++j, from += by_patches.side())
+        for (int j = 0; j < window_rows; ++j, from += by_patches.side())
           for (int i = 0; i < lane_count; ++i) *to++ = from[(shift(j) + step * i) / row_step];
       }
     for (std::size_t c = 0; c < 3; ++c) colour_[c].fill(colour[c], tile, radius);
@@ -124,7 +124,7 @@ class TileRegression {
       for (TilePlane& plane : t.colour) plane.clear();
       t.weight.clear();
     }
-    for (int j = 0; j < rows; ++j) windows(j);
+    for (int j = 0; j < window_rows; ++j) windows(j);
   }
 
   Told& told(std::size_t candidate) { return told_[candidate]; }
@@ -144,7 +144,7 @@ class TileRegression {
       const int dx = s - radius;
       const auto at = static_cast<std::size_t>(s);
       const std::size_t offset = static_cast<std::size_t>((dy + radius) * across + s);
-      const Lanes w = load(weights_.data() + (offset * rows + static_cast<std::size_t>(j)) * lane_count);
+      const Lanes w = load(weights_.data() + (offset * window_rows + static_cast<std::size_t>(j)) * lane_count);
       w_[0][at] = w;
       w_[1][at] = w * w;
       f_[0][at] = all(1);
