@@ -70,7 +70,9 @@ bool write_outputs(const std::vector<std::string>& paths, const RenderOptions& o
   image.metadata["method"] = options.method;
   image.metadata["seed"] = std::to_string(settings.seed);
   image.metadata["samples"] = std::to_string(film.total_samples() / film.crop().area());
-  if (options.denoise) image = denoise_image(image);
+  const bool asked_for_layers = std::any_of(options.aovs.begin(), options.aovs.end(),
+                                            [](const auto& name) { return name == "denoising" || name == "all"; });
+  if (options.denoise) image = denoise_image(image, {.keep_layers = asked_for_layers});
   bool all = true;
   for (const std::string& path : paths)
     all &= written([&] {

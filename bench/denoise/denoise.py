@@ -1,11 +1,16 @@
-"""Error of the denoisers against converged references: prints a table, and a plot of error over samples with --plot FILE.svg.
+"""Error of the denoisers against references, and their time for a megapixel: prints tables, and with --plot FILE.svg draws the error
+over samples.
 
-    python3 bench/denoise/denoise.py build/release/bin/lambert [--spp 4,16,64] [--reference 2048] [--plot error.svg]
+    python3 bench/denoise/denoise.py build/release/bin/lambert [--spp 4,16,64] [--reference 96] [--seed 7] [--plot error.svg]
+
+A reference r has noise too. With two independent ones, the mean of (x - r1)(x - r2) is the mean squared error of x without it.
 """
 import argparse
 import array
+import operator
 import pathlib
 import resource
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -15,6 +20,7 @@ import svg_plot
 import boxes
 
 METHODS = ("nfor", "nlm", "bilateral")
+OTHERS = {"depth of field": "depth-of-field", "textures": "textures", "materials": "materials", "caustic": "caustic"}
 
 
 def pixels(path):
@@ -25,49 +31,79 @@ def pixels(path):
     return values
 
 
-def errors(image, truth):
-    """MSE, and relMSE with 0.01 added to the squared mean of the reference's channels."""
-    mse = rel = 0.0
-    for i in range(0, len(truth), 3):
-        level = sum(truth[i:i + 3]) / 3
-        squared = sum((image[i + c] - truth[i + c]) ** 2 for c in range(3))
-        mse += squared
-        rel += squared / (level * level + 0.01)
-    return mse / len(truth), rel / len(truth)
+def errors(image, truths, scale):
+    """MSE, and relMSE: over the squared mean of a pixel's channels plus 0.01."""
+    products = [(x - r) * (x - s) for x, r, s in zip(image, *truths)]
+    return sum(products) / len(products), sum(map(operator.mul, products, scale)) / len(products)
+
+
+def relative_scale(truths):
+    levels = [sum(values) / 6 for values in zip(*(t[c::3] for t in truths for c in range(3)))]
+    return [1 / (level * level + 0.01) for level in levels for _ in range(3)]
+
+
+class Bench:
+    def __init__(self, program, folder):
+        self.program, self.folder = program, pathlib.Path(folder)
+
+    def run(self, *words):
+        """Its CPU seconds."""
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.run([self.program, *map(str, words)], check=True, stdout=subprocess.DEVNULL)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+    def errors_of(self, scene, words, options):
+        """(samples, method) to (MSE, relMSE)."""
+        shot = ["render", *words, "--resolution", options.size, "--quiet"]
+        truths = []
+        for seed in (options.seed + 1, options.seed + 2):
+            self.run(*shot, "--spp", options.reference, "--seed", seed, "-o", self.folder / "truth.pfm")
+            truths.append(pixels(self.folder / "truth.pfm"))
+        scale, found = relative_scale(truths), {}
+        for spp in map(int, options.spp.split(",")):
+            self.run(*shot, "--spp", spp, "--seed", options.seed, "--aov", "denoising",
+                     "-o", self.folder / "n.exr", "-o", self.folder / "noisy.pfm")
+            for method in ("noisy", *METHODS):
+                if method != "noisy":
+                    self.run("denoise", self.folder / "n.exr", "--method", method, "-o", self.folder / f"{method}.pfm")
+                mse, rel = found[spp, method] = errors(pixels(self.folder / f"{method}.pfm"), truths, scale)
+                less, rel_less = found[spp, "noisy"][0] / mse, found[spp, "noisy"][1] / rel
+                print(f"{scene:14} {spp:5} {method:10} {mse:10.3g} {less:6.1f}x {rel:10.3g} {rel_less:6.1f}x", flush=True)
+        return found
+
+    def time_of_a_megapixel(self, scene):
+        picture = self.folder / "large.exr"
+        self.run("render", scene, "--resolution", "1024x1024", "--spp", 4, "--aov", "denoising", "--quiet", "-o", picture)
+        seconds = {method: [] for method in ("convert", *METHODS)}
+        for _ in range(3):
+            seconds["convert"].append(self.run("image", "convert", picture, "-o", self.folder / "large.pfm"))
+            for method in METHODS:
+                seconds[method].append(self.run("denoise", picture, "--method", method, "-o", self.folder / "large.pfm"))
+        for method, values in seconds.items():
+            print(f"1024x1024 {method:10} {statistics.median(values):6.2f} CPU s", flush=True)
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
-    parser.add_argument("--spp", default="16")
-    parser.add_argument("--reference", type=int, default=2048)
+    parser.add_argument("--spp", default="4,16,64")
+    parser.add_argument("--reference", type=int, default=96)
+    parser.add_argument("--seed", type=int, default=7)
     parser.add_argument("--size", default="192x192")
     parser.add_argument("--plot")
     o = parser.parse_args()
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        scenes = {"box": [], **{k: [v] for k, v in boxes.write(folder).items()}}
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(o.program, folder)
+        scenes = {"box": [], **{k: [v] for k, v in boxes.write(folder).items()},
+                  **{k: [boxes.SCENES / v / f"{v}.pbrt"] for k, v in OTHERS.items()}}
         curves = {m: [] for m in ("noisy", *METHODS)}
-        run = lambda *words: subprocess.run([o.program, *map(str, words)], check=True, stdout=subprocess.DEVNULL)
-        print(f"{'scene':10} {'spp':>5} {'method':10} {'MSE':>10} {'less':>7} {'relMSE':>10} {'less':>7} {'CPU s':>7}")
+        print(f"{'scene':14} {'spp':>5} {'method':10} {'MSE':>10} {'less':>7} {'relMSE':>10} {'less':>7}")
         for scene, words in scenes.items():
-            shot = ["render", *words, "--resolution", o.size, "--quiet"]
-            run(*shot, "--spp", o.reference, "--seed", 1, "-o", folder / "truth.pfm")
-            truth = pixels(folder / "truth.pfm")
-            for spp in map(int, o.spp.split(",")):
-                run(*shot, "--spp", spp, "--seed", 7, "--aov", "denoising", "-o", folder / "n.exr", "-o", folder / "noisy.pfm")
-                noisy = errors(pixels(folder / "noisy.pfm"), truth)
-                for method in ("noisy", *METHODS):
-                    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-                    if method != "noisy":
-                        run("denoise", folder / "n.exr", "--method", method, "-o", folder / f"{method}.pfm")
-                    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-                    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-                    mse, rel = errors(pixels(folder / f"{method}.pfm"), truth)
-                    print(f"{scene:10} {spp:5} {method:10} {mse:10.3g} {noisy[0] / mse:6.1f}x {rel:10.3g} {noisy[1] / rel:6.1f}x "
-                          f"{seconds:7.2f}", flush=True)
-                    if scene == "box":
-                        curves[method].append((spp, mse))
+            for (spp, method), (mse, _) in bench.errors_of(scene, words, o).items():
+                if scene == "box":
+                    curves[method].append((spp, mse))
+        bench.time_of_a_megapixel(scenes["textured"][0])
         if o.plot:
             pathlib.Path(o.plot).write_text(svg_plot.log_lines("The Cornell box: mean squared error", "samples per pixel", "MSE", curves))
 

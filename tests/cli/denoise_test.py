@@ -15,6 +15,16 @@ class Denoise(CommandLineTest):
         self.lambert("render", *SMALL, "-o", "noisy.pfm")
         self.assertNotEqual((self.folder / "once.pfm").read_bytes(), (self.folder / "noisy.pfm").read_bytes())
 
+    def test_layers_that_were_asked_for_stay(self):
+        info = lambda path: self.lambert("image", "info", path).stdout
+        self.lambert("render", *SMALL, "--denoise", "--aov", "albedo", "-o", "albedo.exr")
+        self.assertIn("albedo.R", info("albedo.exr"))
+        self.assertNotIn("denoising.a.R", info("albedo.exr"))
+        self.lambert("render", *SMALL, "--denoise", "--aov", "denoising", "-o", "all.exr", "-o", "once.pfm")
+        self.assertIn("denoising.a.R", info("all.exr"))
+        self.lambert("denoise", "all.exr", "-o", "again.pfm")
+        self.assertEqual((self.folder / "once.pfm").read_bytes(), (self.folder / "again.pfm").read_bytes())
+
     def test_methods_and_formats(self):
         self.lambert("render", *SMALL, "-o", "noisy.png")
         for method in ("nfor", "nlm", "bilateral"):

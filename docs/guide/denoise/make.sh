@@ -10,7 +10,9 @@ dof="$here/../../../scenes/depth-of-field/depth-of-field.pbrt"
 for shot in "glossy $work/glossy.pbrt 256x256" "textured $work/textured.pbrt 256x256" "depth-of-field $dof 384x216"; do
   set -- $shot
   common="render $2 --resolution $3 --quiet --exposure 1"
-  $lambert $common --spp 16 -o "$here/$1-noisy.jpg"
-  $lambert $common --spp 16 --denoise -o "$here/$1-denoised.jpg"
+  $lambert $common --spp 16 --aov denoising -o "$work/$1.exr" -o "$here/$1-noisy.jpg"
+  for method in bilateral nlm nfor; do
+    $lambert denoise "$work/$1.exr" --method $method --exposure 1 -o "$here/$1-$method.jpg"
+  done
   $lambert $common --spp 512 -o "$here/$1-reference.jpg"
 done

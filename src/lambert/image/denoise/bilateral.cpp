@@ -49,9 +49,6 @@ void filter_row(const Axes& axes, const std::array<PaddedPlane, 3>& colour, cons
     }
 }
 
-/// A curve on which equal steps are equal multiples of the noise, relative for bright pixels.
-float curve(float v) { return std::copysign(std::log1p(std::abs(v)), v); }
-
 std::array<Colour, 2> bilateral_halves(const std::array<Colour, 2>& halves, const std::vector<Guide>& guides,
                                        const BilateralSettings& settings) {
   const int width = halves[0][0].width(), height = halves[0][0].height(), pad = settings.window_radius;
@@ -70,15 +67,8 @@ std::array<Colour, 2> bilateral_halves(const std::array<Colour, 2>& halves, cons
   for (std::size_t half = 0; half < 2; ++half) {
     Axes axes = guide_axes;
     std::array<PaddedPlane, 3> colour;
-    for (std::size_t c = 0; c < 3; ++c) {
-      Plane seen = halves[1 - half][c];
-      for (float& v : seen.values()) v = curve(v);
-      // One pixel's colour at this noise says little: the mean of its neighbours says more.
-      seen = box_mean(seen, 1);
-      for (float& v : seen.values()) v *= half_inverse(settings.colour);
-      axes.emplace_back(seen, pad);
-      colour[c] = PaddedPlane(halves[half][c], pad);
-    }
+    for (const Plane& plane : colour_axes(halves[1 - half], 1, settings.colour)) axes.emplace_back(plane, pad);
+    for (std::size_t c = 0; c < 3; ++c) colour[c] = PaddedPlane(halves[half][c], pad);
     parallel_for(static_cast<std::size_t>(height), [&](std::size_t y) {
       filter_row(axes, colour, settings, static_cast<int>(y), height, filtered[half]);
     });
@@ -87,6 +77,15 @@ std::array<Colour, 2> bilateral_halves(const std::array<Colour, 2>& halves, cons
 }
 
 }  // namespace
+
+Colour colour_axes(Colour colour, int radius, float sigma) {
+  for (Plane& plane : colour) {
+    for (float& v : plane.values()) v = std::copysign(std::log1p(std::abs(v)), v);
+    plane = box_mean(plane, radius);
+    for (float& v : plane.values()) v *= half_inverse(sigma);
+  }
+  return colour;
+}
 
 Colour denoise_bilateral(const NoisyImage& image, const BilateralSettings& settings) {
   const std::vector<Guide> guides = filter_guides(image.guides, 5);

@@ -1,6 +1,7 @@
 #include "lambert/image/denoise/denoise.h"
 
 #include "lambert/base/error.h"
+#include "lambert/image/denoise/guide_filter.h"
 #include "lambert/image/denoise/oidn.h"
 
 #include <algorithm>
@@ -20,20 +21,34 @@ constexpr std::array<std::pair<std::string_view, DenoiseMethod>, 5> methods{{
     {"oidn", DenoiseMethod::oidn},
 }};
 
+void scale(Colour& colour, float factor) {
+  for (denoise::Plane& plane : colour)
+    for (float& v : plane.values()) v *= factor;
+}
+
+/// The filters see a picture of about unit brightness, so that their result does not depend on the unit of radiance.
 Colour filtered(const Image& image, const DenoiseSettings& settings, DenoiseMethod method) {
-  const denoise::NoisyImage noisy = denoise::gather(image, settings.input);
-  if (method == DenoiseMethod::nlm) return denoise_nlm(noisy, settings.nlm);
-  if (method == DenoiseMethod::bilateral) return denoise_bilateral(noisy, settings.bilateral);
-  return denoise_nfor(noisy, settings.nfor);
+  denoise::NoisyImage noisy = denoise::gather(image, settings.input);
+  const float unit = denoise::brightness_unit(noisy, denoise::modulation({}, noisy.width, noisy.height));
+  for (Colour* colour : {&noisy.halves[0], &noisy.halves[1], &noisy.emission}) scale(*colour, 1 / unit);
+  for (Colour* variance : {&noisy.variance, &noisy.emission_variance}) {
+    scale(*variance, 1 / unit);
+    scale(*variance, 1 / unit);
+  }
+  Colour result = method == DenoiseMethod::nlm         ? denoise_nlm(noisy, settings.nlm)
+                  : method == DenoiseMethod::bilateral ? denoise_bilateral(noisy, settings.bilateral)
+                                                       : denoise_nfor(noisy, settings.nfor);
+  scale(result, unit);
+  return result;
 }
 
 /// `image` with its colour replaced.
-Image with_colour(const Image& image, const std::vector<std::size_t>& colour, const Colour& result) {
+Image with_colour(const Image& image, const std::vector<std::size_t>& colour, const Colour& result, bool keep_layers) {
   std::vector<std::string> names = colour.size() == 1 ? std::vector<std::string>{"Y"} : rgb_channels();
   std::vector<std::size_t> kept;
   for (std::size_t c = 0; c < image.channel_count(); ++c) {
     const bool is_colour = std::find(colour.begin(), colour.end(), c) != colour.end();
-    if (is_colour || image.channels()[c].starts_with("denoising.")) continue;
+    if (is_colour || (!keep_layers && image.channels()[c].starts_with("denoising."))) continue;
     kept.push_back(c);
     names.push_back(image.channels()[c]);
   }
@@ -81,7 +96,7 @@ Image denoise_image(const Image& image, const DenoiseSettings& settings) {
     for (const auto& [known, m] : methods)
       if (m == method) name = known;
   }
-  Image out = with_colour(image, colour, result);
+  Image out = with_colour(image, colour, result, settings.keep_layers);
   out.metadata["denoiser"] = name;
   return out;
 }

@@ -30,12 +30,13 @@ struct DenoiseSettings {
   denoise::NlmSettings nlm;
   denoise::BilateralSettings bilateral;
   std::string oidn_library;  ///< path; empty: as the system finds it
+  bool keep_layers = false;  ///< the layers "denoising.…" stay
 };
 
-/// The image with its colour denoised, as R, G, B (or Y), and its other channels as they are, without those named
-/// "denoising.…". Which channels are used: see denoise::gather(). The result does not depend on the number of threads.
-/// The metadata "denoiser" names the method that was used. Throws Error where there is no colour, and for oidn where
-/// there is no library or it fails.
+/// The image with its colour denoised, as R, G, B (or Y), and its other channels as they are, those named "denoising.…"
+/// only if they are to be kept. Which channels are used: see denoise::gather(). The result does not depend on the
+/// number of threads. The metadata "denoiser" names the method that was used. Throws Error where there is no colour,
+/// and for oidn where there is no library or it fails.
 Image denoise_image(const Image& image, const DenoiseSettings& settings = {});
 
 }  // namespace lambert

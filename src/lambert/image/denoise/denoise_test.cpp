@@ -123,6 +123,58 @@ TEST_P(EveryMethod, WhatIsNotANumberIsFilledFromItsNeighbours) {
   for (const auto& [x, y] : {std::pair{20, 20}, {21, 20}, {0, 39}, {8, 9}}) EXPECT_NEAR(out.at(x, y, 0), 1, 0.2f);
 }
 
+TEST_P(EveryMethod, DoesNotDependOnTheUnitOfRadiance) {
+  const Image image = noisy(
+      40, 33, 0.3f, [](int x, int y) { return x > 17 ? 1.0f : 0.1f * static_cast<float>(y); }, one);
+  const Image out = run(image);
+  for (const float factor : {0x1p-30f, 0x1p36f}) {
+    Image scaled = image;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        for (std::size_t c = 0; c < 13; ++c)
+          if (c != 3) scaled.at(x, y, c) *= c < 10 ? factor : factor * factor;
+    const Image scaled_out = run(scaled);
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) EXPECT_EQ(scaled_out.at(x, y, 0), factor * out.at(x, y, 0));
+  }
+}
+
+TEST_P(EveryMethod, ExtremesStayFinite) {
+  Image image = noisy(40, 40, 0.3f, one, one);
+  for (std::size_t c = 0; c < image.channel_count(); ++c) {
+    image.at(3, 3, c) = 1e38f, image.at(9, 9, c) = -1e38f, image.at(20, 20, c) = 9e14f, image.at(30, 30, c) = -9e14f;
+    image.at(5, 30, c) = 1e-40f;
+  }
+  for (const Image& out : {run(image), run(Image(33, 40, layers))})
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < out.width(); ++x) EXPECT_TRUE(std::isfinite(out.at(x, y, 1))) << x << " " << y;
+}
+
+// A caustic: one sample in eight is bright. Its patches are so noisy that they look like the dark ones beside it.
+TEST(Nfor, KeepsTheEdgeOfACaustic) {
+  const auto truth = [](int x, int y) { return std::abs(x - 32) < 12 && std::abs(y - 24) < 8 ? 8.0f : 0.25f; };
+  Image image = noisy(64, 48, 0.05f, truth, one);
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 64; ++x) {
+      if (truth(x, y) < 1) continue;
+      std::array<float, 2> half{};
+      for (int sample = 0; sample < 16; ++sample)
+        half[static_cast<std::size_t>(sample % 2)] += hash_values(x, y, 100 + sample) % 8 == 0 ? 8.0f : 0.0f;
+      for (std::size_t c = 0; c < 3; ++c) {
+        image.at(x, y, c) = 0.5f * (half[0] + half[1]);
+        image.at(x, y, 4 + c) = half[0], image.at(x, y, 7 + c) = half[1];
+        image.at(x, y, 10 + c) = 28;
+      }
+    }
+  const auto error = [&](DenoiseMethod method) {
+    return mean_squared_error(denoise_image(image, {.method = method}), truth);
+  };
+  const double nfor = error(DenoiseMethod::nfor);
+  EXPECT_LT(nfor, mean_squared_error(image, truth) / 5);
+  EXPECT_LT(nfor, error(DenoiseMethod::nlm));
+  EXPECT_LT(nfor, error(DenoiseMethod::bilateral));
+}
+
 TEST(Nfor, LeavesAPictureWithoutNoiseAsItIs) {
   const auto light = [](int x, int y) {
     return 0.5f + 0.3f * std::sin(0.9f * static_cast<float>(x)) + (x > 13 && y > 20 ? 4.0f : 0.0f) +
@@ -152,6 +204,18 @@ TEST(Denoise, TakesAFireflyAway) {
   EXPECT_LT(denoise_image(image, {.method = DenoiseMethod::nfor}).at(20, 20, 0), 1.5f);
 }
 
+TEST(Denoise, TakesAFireflyOfBothHalvesAway) {
+  Image image = noisy(40, 40, 0.05f, one, one);
+  for (std::size_t c = 0; c < 3; ++c) {
+    image.at(20, 20, c) = 10;
+    image.at(20, 20, 4 + c) = 10.02f, image.at(20, 20, 7 + c) = 9.98f;
+    image.at(20, 20, 10 + c) = 40;
+  }
+  const Image out = denoise_image(image, {.method = DenoiseMethod::nfor});
+  for (int y = 18; y < 23; ++y)
+    for (int x = 18; x < 23; ++x) EXPECT_LT(out.at(x, y, 0), 2) << x << " " << y;
+}
+
 TEST(Denoise, NeedsNoMoreThanColour) {
   const Image full = noisy(64, 64, 0.3f, one, one);
   Image bare(64, 64, rgb_channels());
@@ -176,6 +240,18 @@ TEST(Denoise, KnowsOtherNames) {
   EXPECT_EQ(out.channels()[0], "R");
   EXPECT_EQ(out.at(3, 3, *out.channel("ViewLayer.Combined.A")), 0.25f);
   EXPECT_THROW(denoise_image(Image(2, 2, {"Z"}), {.method = DenoiseMethod::nfor}), Error);
+}
+
+TEST(Denoise, ANormalIsNoDepth) {
+  const denoise::NoisyImage seen = denoise::gather(Image(4, 4, {"R", "G", "B", "normal.X", "normal.Y", "normal.Z"}));
+  EXPECT_NE(seen.guide(denoise::GuideKind::normal), nullptr);
+  EXPECT_EQ(seen.guide(denoise::GuideKind::depth), nullptr);
+  EXPECT_NE(denoise::gather(Image(4, 4, {"R", "G", "B", "Z"})).guide(denoise::GuideKind::depth), nullptr);
+}
+
+TEST(Denoise, KeepsTheLayersWhenAsked) {
+  const Image image = noisy(8, 8, 0.1f, one, one);
+  EXPECT_EQ(denoise_image(image, {.method = DenoiseMethod::nfor, .keep_layers = true}).channels(), layers);
 }
 
 TEST(Denoise, KeepsWindowsGreyAndOtherChannels) {

@@ -8,6 +8,7 @@ namespace {
 
 std::optional<std::size_t> find(const Image& image, const std::string& name) {
   if (const auto exact = image.channel(name)) return exact;
+  if (name.size() == 1) return std::nullopt;  // below a view layer "Z" may be part of a normal
   const std::string below = "." + name;
   for (std::size_t c = 0; c < image.channel_count(); ++c)
     if (image.channels()[c].ends_with(below)) return c;

@@ -13,7 +13,8 @@ namespace lambert::denoise {
 /// name. Nothing when there is none.
 std::vector<std::size_t> find_triple(const Image& image, std::initializer_list<std::string_view> layers);
 
-/// One channel of the first of `names` that the image has, also below the name of a view layer.
+/// One channel of the first of `names` that the image has, also below the name of a view layer if it is longer than a
+/// letter.
 std::vector<std::size_t> find_single(const Image& image, std::initializer_list<std::string_view> names);
 
 }  // namespace lambert::denoise

@@ -64,17 +64,19 @@ void fill_unknown_variance(NoisyImage& image) {
 
 void fit_variance_to_halves(NoisyImage& image) {
   constexpr int radius = 2;
-  Plane seen(image.width, image.height), said(image.width, image.height);
-  for (std::size_t c = 0; c < 3; ++c)
-    for (std::size_t i = 0; i < seen.values().size(); ++i) {
+  Plane ratio(image.width, image.height);
+  for (std::size_t i = 0; i < ratio.values().size(); ++i) {
+    float seen = 0, said = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
       const float d = image.halves[0][c].values()[i] - image.halves[1][c].values()[i];
-      seen.values()[i] += 0.25f * d * d;
-      said.values()[i] += image.variance[c].values()[i];
+      seen += 0.25f * d * d;
+      said += image.variance[c].values()[i];
     }
-  seen = box_mean(seen, radius), said = box_mean(said, radius);
+    ratio.values()[i] = said > 0 ? std::min(seen / said, 4.0f) : 1.0f;
+  }
+  ratio = box_mean(ratio, radius);
   for (Plane& plane : image.variance)
-    for (std::size_t i = 0; i < seen.values().size(); ++i)
-      if (said.values()[i] > 0) plane.values()[i] *= std::min(1.0f, seen.values()[i] / said.values()[i]);
+    for (std::size_t i = 0; i < ratio.values().size(); ++i) plane.values()[i] *= std::min(1.0f, ratio.values()[i]);
 }
 
 void split(NoisyImage& image) {

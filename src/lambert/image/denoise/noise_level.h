@@ -10,8 +10,9 @@ namespace lambert::denoise {
 void fill_unknown_variance(NoisyImage& image);
 
 /// Scales the variances of samples, which well-distributed samples make too large, to what the difference of measured
-/// halves shows: by the ratio of the sums of (a - b)² / 4 and of variances over 5x5 pixels, at most 1 (Rousselle, Knaus
-/// and Zwicker 2012, section 5).
+/// halves shows: by the mean over 5x5 pixels of their ratios (a - b)² / 4 to the variance, each at most 4; by at most 1
+/// (after Rousselle, Knaus and Zwicker 2012, section 5, who take the ratio of the means: there a single outlier that
+/// happens to be in both halves hides the noise of all 25 pixels).
 void fit_variance_to_halves(NoisyImage& image);
 
 /// Makes halves of a picture that is in both of them (see gather()). The numbers added depend on the pixel alone.

@@ -7,11 +7,12 @@
 namespace lambert::denoise {
 
 PatchGuide::PatchGuide(std::span<const Plane> values, std::span<const Plane> variances, int window_radius,
-                       int patch_radius)
+                       int patch_radius, std::span<const Plane> axes)
     : width_(values[0].width()), height_(values[0].height()) {
   const int pad = window_radius + patch_radius + tile_size;
   for (const Plane& plane : values) values_.emplace_back(plane, pad);
   for (const Plane& plane : variances) variances_.emplace_back(plane, pad);
+  for (const Plane& plane : axes) axes_.emplace_back(plane, pad);
 }
 
 std::vector<Tile> tiles_of(int width, int height) {
@@ -56,17 +57,26 @@ const float* TileWeights::at(int dx, int dy) {
   }
   const auto inside = [&](int x, int y) { return x >= 0 && y >= 0 && x < guide_.width() && y < guide_.height(); };
   const int count = side();
-  std::array<float, tile_size> sum;
+  std::array<float, tile_size> row;
+  float* __restrict sum = row.data();
   for (int j = 0; j < count; ++j) {
     const int y = j * stride_;
-    sum = across_[static_cast<std::size_t>(y)];
+    row = across_[static_cast<std::size_t>(y)];
     for (int s = 1; s < patch; ++s) {
       const float* __restrict from = across_[static_cast<std::size_t>(y + s)].data();
-      for (int i = 0; i < tile_size; ++i) sum[static_cast<std::size_t>(i)] += from[i];
+      for (int i = 0; i < tile_size; ++i) sum[i] += from[i];
     }
+    const float scale = scale_;
+    for (int i = 0; i < tile_size; ++i) sum[i] = std::max(0.0f, sum[i] * scale);
+    for (const PaddedPlane& axis : guide_.axes()) {
+      const float* __restrict p = axis.row(tile_.y + y) + tile_.x;
+      const float* __restrict q = axis.row(tile_.y + y + dy) + tile_.x + dx;
+      for (int i = 0; i < tile_size; ++i) sum[i] += (p[i] - q[i]) * (p[i] - q[i]);
+    }
+    // Of all pixels, those between as well: they cost less than their exceptions would.
+    for (int i = 0; i < tile_size; ++i) sum[i] = exp_of_minus(sum[i]);
     float* __restrict to = weights_.data() + j * count;
-    for (int i = 0; i < count; ++i)
-      to[i] = exp_of_minus(std::max(0.0f, sum[static_cast<std::size_t>(i * stride_)] * scale_));
+    for (int i = 0; i < count; ++i) to[i] = sum[i * stride_];
     const int last = tile_.x + tile_size - 1;
     if (inside(std::min(tile_.x, tile_.x + dx), std::min(tile_.y + y, tile_.y + y + dy)) &&
         inside(std::max(last, last + dx), std::max(tile_.y + y, tile_.y + y + dy)))

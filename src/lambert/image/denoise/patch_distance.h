@@ -3,7 +3,8 @@
 /// "Adaptive Rendering with Non-Local Means Filtering", 2012, section 4): pixels p and q are as alike as the patches
 /// around them,
 ///   d²(p, q) = Σ over channels of ((p - q)² - (v_p + min(v_p, v_q))) / (ε + v_p + v_q),
-/// averaged over channels and patch; the weight is exp(-max(0, d²) / k²).
+/// averaged over channels and patch; the weight is exp(-max(0, d²) / k²). The squared differences of the pixels
+/// themselves in further planes, the axes, may be added to the exponent, as in the bilateral filter.
 
 #include "lambert/image/denoise/plane.h"
 
@@ -18,16 +19,18 @@ namespace lambert::denoise {
 class PatchGuide {
  public:
   /// For windows and patches of these radii.
-  PatchGuide(std::span<const Plane> values, std::span<const Plane> variances, int window_radius, int patch_radius);
+  PatchGuide(std::span<const Plane> values, std::span<const Plane> variances, int window_radius, int patch_radius,
+             std::span<const Plane> axes = {});
   int width() const { return width_; }
   int height() const { return height_; }
   std::size_t channels() const { return values_.size(); }
   const float* value(std::size_t c, int y) const { return values_[c].row(y); }
   const float* variance(std::size_t c, int y) const { return variances_[c].row(y); }
+  std::span<const PaddedPlane> axes() const { return axes_; }
 
  private:
   int width_, height_;
-  std::vector<PaddedPlane> values_, variances_;
+  std::vector<PaddedPlane> values_, variances_, axes_;
 };
 
 constexpr int tile_size = 32;
@@ -39,8 +42,8 @@ struct Tile {
 /// All tiles of a picture, row by row.
 std::vector<Tile> tiles_of(int width, int height);
 
-/// d² and then exp(-max(0, d²) sharpness) for the pixels of one tile, or every second one in both directions, and one
-/// offset of their partners.
+/// d² and then exp(-max(0, d²) sharpness - axes) for the pixels of one tile, or every second one in both directions,
+/// and one offset of their partners.
 class TileWeights {
  public:
   /// `stride` is 1 or 2; `patch_radius` is 0 to 3.
