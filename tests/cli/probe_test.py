@@ -1,6 +1,7 @@
 """Every verb of `lambert probe`, and what it says to wrong input; layouts against OpenEXR's exrenvmap where it is installed."""
 import json
 import math
+import random
 import shutil
 import struct
 import subprocess
@@ -51,6 +52,10 @@ class Layouts(Probe):
             self.probe("convert", "grey.pfm", "--to", layout, "--size", 32 if layout.endswith("lat-long") else 16, "-o", "a.pfm")
             if layout in shapes:
                 self.assertEqual(self.size("a.pfm"), shapes[layout])
+            if layout != "fisheye":  # half of the sphere
+                e = self.facts("irradiance", "a.pfm", "--from", layout, "--normal", "0.1,0.2,-1", "--json")["irradiance"]
+                for got, want in zip(e, (1, 2, 0.5)):
+                    self.assertAlmostEqual(got / want, math.pi, delta=1e-4 * math.pi, msg=layout)
             self.probe("convert", "a.pfm", "--from", layout, "--to", "lat-long", "--size", 8, "-o", "b.pfm")
             _, _, pixels = read_pfm(self.folder / "b.pfm")
             ahead = pixels[4 * 16 + 8]
@@ -64,6 +69,25 @@ class Layouts(Probe):
         self.assertEqual(self.size("back.pfm"), (32, 16))
         self.assertIn("six faces need", self.probe("convert", SKY, "--to", "faces", "-o", "x.pfm", status=1).stderr)
         self.assertIn("one picture", self.probe("convert", SKY, "--to", "angular", "-o", "x{}.pfm", status=1).stderr)
+
+    def test_one_of_six_files_is_wrong(self):
+        self.probe("convert", SKY, "--to", "faces", "--size", 8, "-o", "sky_{}.pfm")
+
+        def error(*arguments):
+            done = self.probe("convert", *arguments, "--to", "lat-long", "-o", "back.pfm", status=1)
+            self.assertEqual(len(done.stderr.splitlines()), 1)
+            return done.stderr
+        py = self.folder / "sky_py.pfm"
+        py.unlink()
+        self.assertIn("sky_py.pfm: cannot open: No such file or directory (sky_{}.pfm stands for six faces)", error("sky_{}.pfm"))
+        write_pfm(py, 8, 4, lambda x, y: (1, 1, 1))
+        self.assertIn("sky_py.pfm: expected a square face, got 8x4", error("sky_{}.pfm"))
+        write_pfm(py, 4, 4, lambda x, y: (1, 1, 1))
+        self.assertIn("sky_py.pfm: expected 8x8 as in sky_px.pfm, got 4x4", error("sky_{}.pfm"))
+        py.write_bytes(b"Pf\n8 8\n-1.0\n" + bytes(256))
+        self.assertIn("sky_py.pfm: expected the channels R G B as in sky_px.pfm, got Y", error("sky_{}.pfm"))
+        self.assertIn("lat-long is one picture", error("sky_{}.pfm", "--from", "lat-long"))
+        self.assertIn("faces are six files", error("sky_px.pfm", "--from", "faces"))
 
     def test_turns(self):
         write_pfm(self.folder / "dot.pfm", 64, 32, lambda x, y: (1, 1, 1) if x in (31, 32) and y in (15, 16) else (0, 0, 0))
@@ -80,6 +104,8 @@ class Layouts(Probe):
         self.assertIn("a pixel is not finite", done.stderr)
         _, _, pixels = read_pfm(self.folder / "a.pfm")
         self.assertTrue(all(abs(v) < 1.001 for p in pixels for v in p))
+        write_pfm(self.folder / "none.pfm", 4, 2, lambda x, y: (math.nan, 1, 1))
+        self.assertIn("none.pfm: expected finite pixels", self.probe("irradiance", "none.pfm", "--normal", "0,1,0", status=1).stderr)
 
     def test_wrong_input(self):
         (self.folder / "square.pfm").write_bytes(b"Pf\n4 4\n-1.0\n" + bytes(64))
@@ -137,6 +163,16 @@ class Light(Probe):
         self.assertLess(max(max(p) for p in read_pfm(self.folder / "rest.pfm")[2]), 5)
         self.assertIn('LightSource "distant"', (self.folder / "sun.pbrt").read_text())
 
+    def test_there_is_no_sun_in_what_is_even_black_or_one_texel(self):
+        write_pfm(self.folder / "black.pfm", 64, 32, lambda x, y: (0, 0, 0))
+        write_pfm(self.folder / "below.pfm", 64, 32, lambda x, y: (-1, -1, -1))
+        write_pfm(self.folder / "one.pfm", 1, 1, lambda x, y: (1, 2, 3))
+        for arguments in ((self.constant(),), ("black.pfm",), ("below.pfm",), ("one.pfm", "--from", "lat-long")):
+            self.assertEqual(self.facts("lights", *arguments)["lights"], [], arguments)
+        e = self.facts("check", "one.pfm", "--from", "angular", "--json")["irradiance_up"]
+        for got, want in zip(e, (1, 2, 3)):
+            self.assertAlmostEqual(got, want * math.pi, delta=1e-3)
+
     def test_median_cut(self):
         lights = self.facts("lights", SKY, "--count", 16)["lights"]
         self.assertEqual(len(lights), 16)
@@ -157,6 +193,8 @@ class Light(Probe):
         for v in e:
             self.assertAlmostEqual(v, 30, delta=0.05)
         self.probe("check", "clipped.pfm", "--restored", "whole.pfm", status=1)
+        for number in ("nan", "-1", "1,2"):
+            self.assertIn("--irradiance", self.probe("check", "clipped.pfm", f"--irradiance={number}", status=1).stderr)
 
 
 class Balls(Probe):
@@ -174,6 +212,10 @@ class Balls(Probe):
         self.assertLess(errors[len(errors) * 9 // 10], 0.2)
         self.probe("assemble", "a.pfm", "b.pfm", "--angles", "0", "-o", "x.pfm", status=1)
         self.probe("assemble", "a.pfm", "--angles", "0", "-o", "x.pfm", status=1)
+        self.assertIn("--angles", self.probe("assemble", "a.pfm", "b.pfm", "--angles", "0,nan", "-o", "x.pfm", status=1).stderr)
+        wrong = self.probe("assemble", "a.pfm", "b.pfm", "--angles", "0,0", "--size", 32, "-o", "x.pfm").stderr
+        self.assertIn("b.pfm", wrong)
+        self.assertIn("are the angles right?", wrong)
 
     # rows: LF-09
     def test_find_ball(self):
@@ -188,6 +230,14 @@ class Balls(Probe):
         self.assertEqual(self.size("ball.pfm"), (64, 64))
         self.constant()
         self.assertIn("no ball found", self.probe("find-ball", "grey.pfm", status=1).stderr)
+        # Cut by the frame: found all the same, and said.
+        write_pfm(self.folder / "cut.pfm", 200, 150, lambda x, y: photograph(x - 90, y))
+        done = self.probe("find-ball", "cut.pfm")
+        self.assertRegex(done.stderr, "cut.pfm: 3. % of the ball's outline lies out of the picture")
+        self.assertAlmostEqual(json.loads(done.stdout)["centre"][0], 180, delta=0.6)
+        generator = random.Random(1)
+        write_pfm(self.folder / "noise.pfm", 200, 150, lambda x, y: (generator.random(),) * 3)
+        self.assertIn("noise.pfm: no ball found", self.probe("find-ball", "noise.pfm", status=1).stderr)
 
 
 class OpenExr(Probe):
@@ -202,14 +252,14 @@ class OpenExr(Probe):
             return tuple(1.5 + math.sin(3 * d[i] + 2 * d[i - 1]) for i in range(3))
         write_pfm(self.folder / "a.pfm", 128, 64, smooth)
         self.probe("convert", "a.pfm", "--to", "openexr-lat-long", "--size", 64, "-o", "a.exr")
+        # Both read the attribute `envmap`, their own and the other's.
         for kind, flag, layout, size in (("cube", "-c", "openexr-cube", 32), ("map", "-l", "openexr-lat-long", 64)):
-            source, given = ("a.exr", "-li") if kind == "cube" else ("theirs-cube.exr", "-ci")
+            source = "a.exr" if kind == "cube" else "theirs-cube.exr"
             width = size if kind == "cube" else 2 * size
-            subprocess.run(["exrenvmap", flag, given, "-w", str(width), "-f", "1", "9", source, f"theirs-{kind}.exr"],
+            subprocess.run(["exrenvmap", flag, "-w", str(width), "-f", "1", "9", source, f"theirs-{kind}.exr"],
                            cwd=self.folder, check=True, capture_output=True)
-            source_layout = "openexr-lat-long" if kind == "cube" else "openexr-cube"
-            self.probe("convert", source, "--from", source_layout, "--to", layout, "--size", size, "-o", f"ours-{kind}.pfm")
-            self.probe("convert", f"theirs-{kind}.exr", "--from", layout, "--to", layout, "--size", size, "-o", "theirs.pfm")
+            self.probe("convert", source, "--to", layout, "--size", size, "-o", f"ours-{kind}.pfm")
+            self.probe("convert", f"theirs-{kind}.exr", "--to", layout, "--size", size, "-o", "theirs.pfm")
             ours, theirs = (read_pfm(self.folder / f)[2] for f in (f"ours-{kind}.pfm", "theirs.pfm"))
             worst = max(abs(a - b) for p, q in zip(ours, theirs) for a, b in zip(p, q))
             self.assertLess(worst, 0.05, kind)

@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lambert::cli {
@@ -41,15 +42,25 @@ Probe read_ball(const Options& o, const std::string& file) {
   const Image photograph = read_finite(file);
   const auto ball = find_ball(photograph);
   if (!ball) throw Error(file + ": no ball found; crop it by 'lambert probe find-ball --circle'");
+  warn_if_cut(file, photograph, *ball);
   log::info(
       fmt::format("{}: ball at {:.1f}, {:.1f}, radius {:.1f}", file, ball->centre.x, ball->centre.y, ball->radius));
   return divided(cut(layout_of(input.layout), {crop_ball(photograph, *ball)}), o.reflectivity);
+}
+
+/// Degrees between a rotation and the turn that was given.
+float turned_by(const Mat3& found, Angle given) {
+  const Mat3 change = found * glm::transpose(rotation(given, degrees(0), degrees(0)));
+  const float cosine = 0.5f * (change[0][0] + change[1][1] + change[2][2] - 1);
+  return std::acos(std::clamp(cosine, -1.0f, 1.0f)) * 180 / pi;
 }
 
 int run(const Options& o) {
   if (o.angles.size() != o.files.size())
     throw Error(
         fmt::format("--angles: expected {} numbers, one for each photograph, got {}", o.files.size(), o.angles.size()));
+  for (const double angle : o.angles)
+    if (!(std::abs(angle) <= 1e5)) throw Error("--angles: expected angles in degrees");
   std::vector<BallView> views;
   for (std::size_t i = 0; i < o.files.size(); ++i)
     views.push_back({read_ball(o, o.files[i]), degrees(static_cast<float>(o.angles[i]))});
@@ -68,9 +79,16 @@ int run(const Options& o) {
                     {"rotation", rows},
                     {"exposure", json_of(a.exposures[i])},
                     {"correlation", a.correlations[i]}});
-    if (i > 0 && !o.as_given && a.correlations[i] < 0.5f)
+    if (i == 0 || o.as_given) continue;
+    const float turned = turned_by(a.rotations[i], views[i].azimuth - views[0].azimuth);
+    if (a.correlations[i] < 0.5f)
       log::warn(fmt::format("{}: fits the first photograph badly (correlation {:.2f}): are the angles right?",
                             o.files[i], a.correlations[i]));
+    else if (static_cast<double>(turned) > 0.9 * o.search)
+      log::warn(
+          fmt::format("{}: fits best {:.1f} degrees from where --angles has it, at the end of the search of {:g}: "
+                      "are the angles right?",
+                      o.files[i], turned, o.search));
   }
   if (o.json) fmt::print("{}\n", nlohmann::ordered_json{{"views", list}}.dump(2));
   write_probe(o.output, a.probe, Arrangement::single);

@@ -29,11 +29,14 @@ struct Options {
 std::optional<KnownIrradiance> known(const Options& o) {
   const Vec3 n(o.normal[0], o.normal[1], o.normal[2]);
   if (!is_finite(n) || !(length(n) > 0)) throw Error("--normal: expected a direction that is not 0");
-  if (!o.irradiance.empty()) return KnownIrradiance{normalize(n), rgb_of("--irradiance", o.irradiance)};
+  const auto light = [](const char* flag, const std::vector<float>& numbers) {
+    const Rgb c = rgb_of(flag, numbers);
+    if (!(min_component(c) > 0)) throw Error(std::string(flag) + ": expected numbers above 0");
+    return c;
+  };
+  if (!o.irradiance.empty()) return KnownIrradiance{normalize(n), light("--irradiance", o.irradiance)};
   if (o.diffuse.empty()) return std::nullopt;
-  const Rgb albedo = rgb_of("--albedo", o.albedo);
-  if (!(min_component(albedo) > 0)) throw Error("--albedo: expected numbers above 0");
-  return KnownIrradiance{normalize(n), rgb_of("--diffuse-radiance", o.diffuse) * pi / albedo};
+  return KnownIrradiance{normalize(n), light("--diffuse-radiance", o.diffuse) * pi / light("--albedo", o.albedo)};
 }
 
 int run(const Options& o) {

@@ -30,7 +30,7 @@ struct Options {
 Probe by_harmonics(const Probe& probe, int rows) {
   std::vector<ShColour> e = sh_irradiance(sh_project(probe, 2));
   for (ShColour& c : e) c.r /= std::numbers::pi, c.g /= std::numbers::pi, c.b /= std::numbers::pi;
-  return sh_map(e, probe.projection, rows);
+  return sh_map(e, probe.projection, probe.texels, rows);
 }
 
 int run(const Options& o) {

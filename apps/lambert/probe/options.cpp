@@ -13,7 +13,8 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
+#include <algorithm>
+#include <cmath>
 
 namespace lambert::cli {
 
@@ -29,26 +30,48 @@ std::vector<std::string> files_of(const std::string& file) {
   return files;
 }
 
-/// Errors about the contents of a file begin with its name.
-template <class F>
-auto named(const std::string& file, const F& f) {
-  try {
-    return f();
-  } catch (const Error& e) {
-    const std::string what = e.what();
-    throw Error(what.starts_with(file) ? what : file + ": " + what);
+std::string size_text(const Image& image) { return fmt::format("{}x{}", image.width(), image.height()); }
+
+/// Six faces, all square and alike.
+std::vector<Image> read_faces(const std::string& file) {
+  const std::vector<std::string> files = files_of(file);
+  std::vector<Image> faces;
+  for (const std::string& face : files) {
+    try {
+      faces.push_back(read_finite(face));
+    } catch (const Error& e) {
+      throw Error(fmt::format("{} ({} stands for six faces)", e.what(), file));
+    }
+    const Image& first = faces.front();
+    const Image& i = faces.back();
+    if (i.width() != i.height()) throw Error(face + ": expected a square face, got " + size_text(i));
+    if (i.width() != first.width())
+      throw Error(fmt::format("{}: expected {} as in {}, got {}", face, size_text(first), files.front(), size_text(i)));
+    if (i.channels() != first.channels())
+      throw Error(fmt::format("{}: expected the channels {} as in {}, got {}", face, fmt::join(first.channels(), " "),
+                              files.front(), fmt::join(i.channels(), " ")));
   }
+  return faces;
 }
 
 }  // namespace
 
 Image read_finite(const std::string& file) {
   Image image = read_image(file);
-  if (const std::size_t count = fill_missing(image))
+  if (!image.attributes.contains("envmap")) image = displayed(std::move(image));
+  const std::size_t count = fill_missing(image), pixels = image.pixels().size() / image.channel_count();
+  if (count == pixels) throw Error(file + ": expected finite pixels, there is none");
+  if (count > 0)
     log::warn(fmt::format("{}: {} not finite; filled from {} neighbours", file,
                           count == 1 ? "a pixel is" : fmt::format("{} pixels are", count),
                           count == 1 ? "its" : "their"));
   return image;
+}
+
+void warn_if_cut(const std::string& file, const Image& photograph, const BallCircle& ball) {
+  if (const double part = part_in_picture(photograph, ball); part < 0.999)
+    log::warn(fmt::format("{}: {:.0f} % of the ball's outline lies out of the picture: what is missing is black", file,
+                          100 * (1 - part)));
 }
 
 void add_layout_options(CLI::App& app, LayoutOptions& o, const std::string& flag, const std::string& prefix,
@@ -83,23 +106,30 @@ void add_probe_input(CLI::App& app, ProbeInputOptions& o) {
 }
 
 ProbeInput read_probe(const ProbeInputOptions& o) {
-  const std::vector<std::string> files = files_of(o.file);
+  const bool six = o.file.find("{}") != std::string::npos;
+  LayoutOptions options = o.layout;
+  if (six && options.layout.empty()) options.layout = "faces";
+  if (!options.layout.empty() && (layout_of(options).arrangement == Arrangement::files) != six)
+    throw Error(o.file + (six ? ": {} in a name stands for six faces; " + options.layout + " is one picture"
+                              : ": " + options.layout + " are six files: expected a name with {} in it"));
   std::vector<Image> pictures;
-  for (const std::string& file : files) pictures.push_back(read_finite(file));
-  return named(o.file, [&] {
-    LayoutOptions options = o.layout;
-    if (options.layout.empty()) options.layout = files.size() == 6 ? "faces" : guess_layout(pictures.front());
+  if (six)
+    pictures = read_faces(o.file);
+  else
+    pictures.push_back(read_finite(o.file));
+  ProbeInput input = named(o.file, [&] {
+    if (options.layout.empty()) options.layout = guess_layout(pictures.front());
     const Layout layout = layout_of(options);
-    Probe p = cut(layout, std::move(pictures));
-    p = divided(std::move(p), o.reflectivity);
-    return ProbeInput{std::move(p), layout.arrangement};
+    return ProbeInput{cut(layout, std::move(pictures)), layout.arrangement};
   });
+  input.probe = divided(std::move(input.probe), o.reflectivity);
+  return input;
 }
 
 Probe divided(Probe p, const std::vector<float>& reflectivity) {
   if (reflectivity.empty()) return p;
   const Rgb mirror = rgb_of("--reflectivity", reflectivity);
-  if (!(min_component(mirror) > 0) || !is_finite(mirror)) throw Error("--reflectivity: expected numbers above 0");
+  if (!(min_component(mirror) > 0)) throw Error("--reflectivity: expected numbers above 0");
   for (Image& chart : p.charts)
     for (int y = 0; y < chart.height(); ++y)
       for (int x = 0; x < chart.width(); ++x) {
@@ -123,22 +153,19 @@ Mat3 rotation_of(const RotationOptions& o) {
   if (!o.matrix.empty()) {
     std::array<float, 9> rows{};
     std::copy_n(o.matrix.begin(), 9, rows.begin());
-    return rotation(rows);
+    return named("--matrix", [&] { return rotation(rows); });
   }
   const auto angle = [](double a) { return degrees(static_cast<float>(a)); };
   return rotation(angle(o.yaw), angle(o.pitch), angle(o.roll));
 }
 
-void write_probe(const std::string& file, const Probe& probe, Arrangement arrangement) {
-  std::vector<Image> pictures = arranged(probe, arrangement);
+void write_probe(const std::string& file, Probe probe, Arrangement arrangement) {
+  const std::vector<Image> pictures = arranged(std::move(probe), arrangement);
   const std::vector<std::string> files = files_of(file);
   if (files.size() != pictures.size())
     throw Error(file + (pictures.size() == 6 ? ": six faces need a name with {} in it"
                                              : ": {} in a name stands for six faces; this layout is one picture"));
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if (probe.texels == TexelRule::edge_to_edge)
-      pictures[i].metadata["probe.layout"] =
-          std::holds_alternative<Cube>(probe.projection) ? "openexr-cube" : "openexr-lat-long";
     write_image(files[i], pictures[i]);
     print_path(files[i]);
   }
@@ -148,8 +175,9 @@ nlohmann::ordered_json json_of(Vec3 v) { return {v.x, v.y, v.z}; }
 nlohmann::ordered_json json_of(Rgb c) { return {c.r, c.g, c.b}; }
 
 Rgb rgb_of(const std::string& flag, const std::vector<float>& numbers) {
+  const bool finite = std::all_of(numbers.begin(), numbers.end(), [](float v) { return std::isfinite(v); });
+  if ((numbers.size() != 1 && numbers.size() != 3) || !finite) throw Error(flag + ": expected one number or three");
   if (numbers.size() == 1) return Rgb(numbers[0]);
-  if (numbers.size() != 3) throw Error(flag + ": expected one number or three");
   return {numbers[0], numbers[1], numbers[2]};
 }
 

@@ -41,7 +41,8 @@ int run(const Options& o) {
         fmt::print("{:2} {:3}  {: .6e} {: .6e} {: .6e}\n", l, m, c.r, c.g, c.b);
       }
   }
-  if (!o.output.empty()) write_probe(o.output, sh_map(coefficients, input.probe.projection, o.size), input.arrangement);
+  if (!o.output.empty())
+    write_probe(o.output, sh_map(coefficients, input.probe.projection, input.probe.texels, o.size), input.arrangement);
   return done;
 }
 

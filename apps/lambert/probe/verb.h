@@ -1,6 +1,8 @@
 #pragma once
 /// What the verbs of `lambert probe` share.
 
+#include "lambert/base/error.h"
+#include "lambert/image/probe/find_ball.h"
 #include "lambert/image/probe/layout.h"
 #include "lambert/image/probe/rotation.h"
 
@@ -40,7 +42,21 @@ struct ProbeInput {
 /// the reflectivity. Without --from the layout is guessed by shape.
 ProbeInput read_probe(const ProbeInputOptions& o);
 
-/// Reads a picture and fills pixels that are not finite, with a warning.
+/// Errors about the contents of a file begin with its name.
+template <class F>
+auto named(const std::string& file, const F& f) {
+  try {
+    return f();
+  } catch (const Error& e) {
+    const std::string what = e.what();
+    throw Error(what.starts_with(file) ? what : file + ": " + what);
+  }
+}
+/// Warns when the frame cuts the ball.
+void warn_if_cut(const std::string& file, const Image& photograph, const probe::BallCircle& ball);
+
+/// Reads a picture, what is shown of it, and fills pixels that are not finite, with a warning; throws Error when none
+/// is. Of an environment map of OpenEXR all data count, as there.
 Image read_finite(const std::string& file);
 /// Colours over the reflectivity, if any is given. Throws Error unless it is above 0.
 probe::Probe divided(probe::Probe p, const std::vector<float>& reflectivity);
@@ -54,10 +70,10 @@ Mat3 rotation_of(const RotationOptions& o);
 
 /// Writes the picture, or the six of `files`, and prints paths. Throws Error when "{}" stands in the name and should
 /// not, or the other way round.
-void write_probe(const std::string& file, const probe::Probe& probe, probe::Arrangement arrangement);
+void write_probe(const std::string& file, probe::Probe probe, probe::Arrangement arrangement);
 nlohmann::ordered_json json_of(Vec3 v);
 nlohmann::ordered_json json_of(Rgb c);
-/// Three numbers, or one that stands for all three. Throws Error naming the flag.
+/// Three finite numbers, or one that stands for all three. Throws Error naming the flag.
 Rgb rgb_of(const std::string& flag, const std::vector<float>& numbers);
 
 std::function<int()> add_probe_convert(CLI::App& app);

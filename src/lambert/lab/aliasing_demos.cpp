@@ -52,7 +52,7 @@ Shown show_nyquist(const LabSettings&) {
     for (int i = 0; i / rate <= length; ++i) samples.emplace_back(i / rate, std::sin(2 * pi_d * i / rate));
     rows.push_back(drawn(draw::Plot{
         .title = fmt::format("{}: {:g} samples a cycle show a frequency of {:.3g}", words, rate, std::abs(folded)),
-        .x = {.label = "", .low = 0, .high = length},
+        .x = {.label = "cycles of the sine (grey); dots: samples; dashed: what they show", .low = 0, .high = length},
         .y = {.label = "", .low = -1.15, .high = 1.15},
         .series =
             {{.points = signal, .colour = draw::Colour{175, 184, 193}},
@@ -92,7 +92,7 @@ Shown show_moire(const LabSettings& settings) {
   for (const double shift : {0.0, 1.5, 3.0, 4.5})
     add(fmt::format("5.7 pixels slid by {:g}", shift), {.period = 5.7, .shift = shift});
   for (const double turn : {1.0, 2.0, 4.0, 8.0})
-    add(fmt::format("turned by {:g} degrees", turn), {.period = 6, .angle = turn * pi_d / 180});
+    add(fmt::format("turned by {:g} degree{}", turn, turn == 1 ? "" : "s"), {.period = 6, .angle = turn * pi_d / 180});
   return {montage(panels, {.columns = 4, .caption_size = 12}),
           // Bands where the layers fall in step, by the difference of their frequencies.
           {{"bands of the slid layers, pixels", 1 / (1 / 5.7 - 1.0 / 6)},

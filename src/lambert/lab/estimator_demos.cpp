@@ -81,8 +81,8 @@ Shown show_quadrature(const LabSettings& settings) {
 // ∫ Π (π/2) sin(π xᵢ) over the unit cube is 1 in any number of variables.
 Shown show_dimensions(const LabSettings& settings) {
   draw::Plot plot{.title = "The same number of terms in more variables",
-                  .x = {.label = "terms", .logarithmic = true},
-                  .y = {.label = "relative error", .logarithmic = true, .low = 1e-7, .high = 30.0}};
+                  .x = {.label = "terms", .logarithmic = true, .low = 0.8, .high = 8e4},
+                  .y = {.label = "rms of the relative error", .logarithmic = true, .low = 5e-11, .high = 60.0}};
   Shown shown;
   const auto factor = [](double x) { return 0.5 * std::numbers::pi * std::sin(std::numbers::pi * x); };
   std::size_t colour = 0;
@@ -145,8 +145,9 @@ Shown show_inversion(const LabSettings& settings) {
       drawn_bins{.name = "share of 4000 samples", .mark = draw::Series::Mark::points, .width = 3};
   std::array<double, 4> share{};
   for (const Vec2 p : random_points(count, settings.seed + 1)) share[distribution.sample(p.x).index] += 1.0 / count;
-  for (std::size_t i = 0; i < 5; ++i)
-    cumulative.points.emplace_back(static_cast<double>(i), static_cast<double>(distribution.cumulative()[i]));
+  for (std::size_t i = 0; i < 4; ++i)
+    cumulative.points.emplace_back(static_cast<double>(i), static_cast<double>(distribution.cumulative()[i + 1]));
+  cumulative.points.emplace_back(4, 1);
   for (std::size_t i = 0; i < 4; ++i) drawn_bins.points.emplace_back(static_cast<double>(i) + 0.5, share[i]);
 
   const draw::Drawing power = drawn(draw::Plot{.title = "x = root of order 4 of xi",

@@ -117,7 +117,7 @@ Shown show_spectra(const LabSettings& settings) {
     panels.push_back(
         {name_of(kind), to_image(rasterised(dots(pattern_points(kind, points_a_set, settings.seed), 129)))});
     const auto power = mean_spectrum(kind, settings.seed);
-    above.push_back({"spectrum", spectrum_image(power)});
+    above.push_back({fmt::format("-{0} to {0} cycles", reach), spectrum_image(power)});
     shown.facts.emplace_back("power at frequency 8, " + name_of(kind), radial_mean(power, reach)[8]);
   }
   panels.insert(panels.end(), above.begin(), above.end());

@@ -127,8 +127,8 @@ Shown show_sphere(const LabSettings& settings) {
     z_cosine += static_cast<double>(w.z) / n;
     return seen_from_side(w);
   });
-  return {draw::side_by_side({scatter("sphere: z = 1 - 2 xi", sphere), scatter("hemisphere: z = xi", uniform),
-                              scatter("cosine: z = root of xi", cosine)},
+  return {draw::side_by_side({scatter("sphere: z (up) = 1 - 2 xi", sphere), scatter("hemisphere: z (up) = xi", uniform),
+                              scatter("cosine: z (up) = root of xi", cosine)},
                              3),
           {{"mean of z squared on the sphere (1/3)", z_sphere},
            {"mean of z, uniform hemisphere (1/2)", z_uniform},

@@ -161,6 +161,7 @@ Assembly assemble(const std::vector<BallView>& views, int rows, const AssembleSe
   if (views.size() < 2) throw Error("an assembly needs photographs from at least two directions");
   for (const BallView& v : views) {
     if (!std::holds_alternative<MirrorBall>(v.ball.projection)) throw Error("an assembly needs mirror balls");
+    if (!std::isfinite(v.azimuth.radians())) throw Error("an assembly needs angles that are numbers");
     if (v.ball.charts.front().channels() != views.front().ball.charts.front().channels())
       throw Error("the photographs have different channels");
   }

@@ -2,6 +2,7 @@
 #include "lambert/image/probe/map_point.h"
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 namespace lambert::probe {
@@ -31,21 +32,24 @@ struct Cube {
   /// The faces as OpenGL, Direct3D, KTX and glTF's image-based lights have them: seen from outside, so that px, nx, pz
   /// and nz are mirrored left to right, py and ny top to bottom.
   bool opengl = false;
+  bool operator==(const Cube&) const = default;
 
   std::optional<Vec3> direction(MapPoint at) const {
     const CubeFace& face = cube_faces[static_cast<std::size_t>(at.chart)];
-    if (opengl) mirror(at);
-    return normalize(face.ahead + (2 * at.uv.x - 1) * face.right + (1 - 2 * at.uv.y) * face.up);
+    const float a = mirror_across(at.chart) * (2 * at.uv.x - 1), b = mirror_up(at.chart) * (1 - 2 * at.uv.y);
+    return (face.ahead + a * face.right + b * face.up) * (1 / std::sqrt(1 + a * a + b * b));
   }
   std::optional<MapPoint> point(Vec3 d) const {
+    // Without branches or tables: loops over this run eight directions at a time. Across and up are the dot products
+    // with the face's `right` and `up`.
     const float x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
-    const int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-    const int chart = 2 * axis + (d[axis] < 0 ? 1 : 0);
-    const CubeFace& face = cube_faces[static_cast<std::size_t>(chart)];
-    const float scale = 0.5f / std::abs(d[axis]);
-    MapPoint at{chart, {0.5f + scale * dot(d, face.right), 0.5f - scale * dot(d, face.up)}};
-    if (opengl) mirror(at);
-    return at;
+    const bool on_x = x >= y && x >= z, on_y = !on_x && y >= z;
+    const float ahead = on_x ? d.x : on_y ? d.y : d.z, sign = std::copysign(1.0f, ahead);
+    const float turned_x = -sign * d.x, turned_z = sign * d.z;
+    const float across = on_x ? turned_z : on_y ? d.x : turned_x, up = on_y ? turned_z : d.y;
+    const float scale = 0.5f / std::abs(ahead);
+    const int axis = on_x ? 0 : on_y ? 2 : 4, chart = axis + (ahead < 0 ? 1 : 0);
+    return MapPoint{chart, {0.5f + mirror_across(chart) * scale * across, 0.5f - mirror_up(chart) * scale * up}};
   }
   float density(MapPoint at) const {
     const float s = 1 + sqr(2 * at.uv.x - 1) + sqr(1 - 2 * at.uv.y);
@@ -53,10 +57,8 @@ struct Cube {
   }
 
  private:
-  static void mirror(MapPoint& at) {
-    float& across = at.chart / 2 == 1 ? at.uv.y : at.uv.x;
-    across = 1 - across;
-  }
+  float mirror_across(int chart) const { return 1 - 2 * static_cast<float>(opengl & (chart / 2 != 1)); }
+  float mirror_up(int chart) const { return 1 - 2 * static_cast<float>(opengl & (chart / 2 == 1)); }
 };
 
 }  // namespace lambert::probe

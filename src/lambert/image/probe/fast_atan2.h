@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace lambert::probe {
@@ -10,7 +11,7 @@ inline float fast_atan2(float y, float x) {
   constexpr float half_pi = 0.5f * std::numbers::pi_v<float>, whole_pi = std::numbers::pi_v<float>;
   const float ax = std::abs(x), ay = std::abs(y);
   const float high = ax > ay ? ax : ay, low = ax > ay ? ay : ax;
-  const float t = low / (high > 0 ? high : 1), z = t * t;
+  const float t = low / (high + std::numeric_limits<float>::min()), z = t * t;
   float p = 0.002903552493080497f;
   p = p * z - 0.016283007338643074f;
   p = p * z + 0.043039366602897644f;
@@ -21,8 +22,10 @@ inline float fast_atan2(float y, float x) {
   p = p * z - 0.3333309292793274f;
   p = p * z + 1;
   float angle = t * p;
-  angle = ay > ax ? half_pi - angle : angle;
-  angle = x < 0 ? whole_pi - angle : angle;
+  // Of the eight octants: sums of numbers that are picked, not picked sums, which compilers leave in branches.
+  const bool steep = ay > ax, behind = x < 0;
+  angle = (steep ? half_pi : 0.0f) + (steep ? -angle : angle);
+  angle = (behind ? whole_pi : 0.0f) + (behind ? -angle : angle);
   return std::copysign(angle, y);
 }
 

@@ -91,19 +91,22 @@ std::vector<Edge> edges_of(const Plane& p, std::size_t most, float& strong) {
 
 /// How much of the circle has an edge along it: the mean over its places of how strong the slope is (a fifth of a
 /// strong edge counts in full: an outline is seldom strong, but whole) and of how nearly it stands across the circle.
+/// Places out of the picture do not count, up to a half.
 double score(const Plane& p, Vec2d centre, double radius, float strong) {
   constexpr int places = 96;
   double sum = 0;
+  int inside = 0;
   for (int i = 0; i < places; ++i) {
     const double angle = 2 * std::numbers::pi * i / places;
     const Vec2d n(std::cos(angle), std::sin(angle));
     const Vec2d at = centre + radius * n;
     if (!p.holds(at)) continue;
+    ++inside;
     const Vec2 g = slope(p, static_cast<int>(at.x), static_cast<int>(at.y));
     const float across = std::abs(dot(g, Vec2(n))), all = length(g);
     if (all > 0) sum += static_cast<double>(std::min(1.0f, 5 * across / strong) * sqr(across / all));
   }
-  return sum / places;
+  return sum / std::max(inside, places / 2);
 }
 
 std::optional<BallCircle> best_circle(const Plane& p, const FindBallSettings& s) {
@@ -219,7 +222,20 @@ std::optional<BallCircle> find_ball(const Image& image, const FindBallSettings& 
     if (level > 0) found->centre *= 2.0, found->radius *= 2, found->residual *= 2;
   }
   if (found->coverage < settings.least_coverage || !(found->radius > 1)) return std::nullopt;
+  // Edges that are there by chance, as in noise, are spread evenly over the 2 pixels to either side.
+  if (found->residual > 0.75 + 0.004 * found->radius) return std::nullopt;
   return found;
+}
+
+double part_in_picture(const Image& image, const BallCircle& circle) {
+  constexpr int places = 360;
+  int inside = 0;
+  for (int i = 0; i < places; ++i) {
+    const double angle = 2 * std::numbers::pi * i / places;
+    const Vec2d at = circle.centre + circle.radius * Vec2d(std::cos(angle), std::sin(angle));
+    inside += at.x >= -0.5 && at.y >= -0.5 && at.x <= image.width() + 0.5 && at.y <= image.height() + 0.5;
+  }
+  return static_cast<double>(inside) / places;
 }
 
 Image crop_ball(const Image& image, const BallCircle& circle, int size) {

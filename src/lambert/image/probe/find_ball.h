@@ -25,6 +25,9 @@ struct FindBallSettings {
 /// grey is darker than 0 or not finite it counts as black.
 std::optional<BallCircle> find_ball(const Image& image, const FindBallSettings& settings = {});
 
+/// What part of the circle lies in the picture; below 1 the ball is cut by the frame, and a crop has black in it.
+double part_in_picture(const Image& image, const BallCircle& circle);
+
 /// The square about the circle, resampled bilinearly so that the circle touches its sides: a mirror-ball layout of
 /// `size` pixels (0: twice the radius, rounded). Outside of the picture it is 0.
 Image crop_ball(const Image& image, const BallCircle& circle, int size = 0);

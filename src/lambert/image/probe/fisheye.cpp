@@ -56,23 +56,29 @@ Fisheye fisheye(Lens lens, Angle field_of_view) {
   if (!(field_of_view.degrees() > 0 && field_of_view.degrees() <= most + 1e-3f))
     throw Error("the field of view of an " + std::string(names[static_cast<std::size_t>(lens)]) +
                 " lens must be above 0 and at most " + number_text(static_cast<double>(most)) + " degrees, not " +
-                number_text(static_cast<double>(field_of_view.degrees())));
+                number_text(std::round(1e3 * static_cast<double>(field_of_view.degrees())) / 1e3));
   return {lens, field_of_view};
+}
+
+float Fisheye::angle(float r) const { return inverse(lens, r * forward(lens, 0.5f * field_of_view.radians())); }
+
+float Fisheye::radius(float theta) const {
+  const float half = 0.5f * field_of_view.radians();
+  return theta > half ? 2 : forward(lens, theta) / forward(lens, half);
 }
 
 std::optional<Vec3> Fisheye::direction(MapPoint at) const {
   const Vec2 p = disk_point(at.uv);
   const float r = std::sqrt(dot(p, p));
   if (r > 1) return std::nullopt;
-  const float theta = inverse(lens, r * forward(lens, 0.5f * field_of_view.radians()));
+  const float theta = angle(r);
   return Vec3(r > 0 ? p * (std::sin(theta) / r) : Vec2(0), -std::cos(theta));
 }
 
 std::optional<MapPoint> Fisheye::point(Vec3 d) const {
-  const float across = std::hypot(d.x, d.y), theta = std::atan2(across, -d.z), half = 0.5f * field_of_view.radians();
-  if (theta > half) return std::nullopt;
-  const float r = forward(lens, theta) / forward(lens, half);
-  return MapPoint{0, disk_uv(across > 0 ? Vec2(d) * (r / across) : Vec2(r, 0))};
+  const float across = std::hypot(d.x, d.y), r = radius(std::atan2(across, -d.z));
+  if (r > 1) return std::nullopt;
+  return MapPoint{0, disk_uv(r * (across > 0 ? Vec2(d) / across : Vec2(1, 0)))};
 }
 
 /// dω / dA = sin θ / (r dr/dθ), with du dv = dA / 4.

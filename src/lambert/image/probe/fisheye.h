@@ -27,6 +27,12 @@ struct Fisheye {
   static constexpr int charts = 1;
   Lens lens = Lens::equidistant;
   Angle field_of_view = degrees(180);  ///< the full angle; see fisheye() for the largest
+  static constexpr int axis = -1;      ///< the centre shows -z
+
+  float angle(float radius) const;  ///< θ from the axis, at a radius of [0, 1] on the disk
+  float radius(float angle) const;  ///< above 1 for what is not seen
+
+  bool operator==(const Fisheye&) const = default;
 
   std::optional<Vec3> direction(MapPoint at) const;
   std::optional<MapPoint> point(Vec3 d) const;

@@ -1,159 +1,212 @@
 #include "lambert/image/probe/irradiance.h"
 
 #include "lambert/base/parallel.h"
+#include "lambert/image/probe/disk.h"
 #include "lambert/image/probe/texels.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 namespace lambert::probe {
 namespace {
 
-/// The blocks of one level of a chart, their number a power of two along each side.
-struct Grid {
-  int columns, rows;
+using Node = Irradiance::Node;
+
+constexpr float widest = 0.03f;  // half angle of a leaf, radians
+constexpr int most_leaves = 1 << 19, deepest = 11;
+
+/// Some texels of a chart, or a part of a single one.
+struct Patch {
+  int chart;
+  Window texels;
+  Cell cell;      // what of the chart they show
+  int depth = 0;  // how often the texel was cut in four
 };
 
-int power_of_two_at_most(int n) {
-  int p = 1;
-  while (2 * p <= n) p *= 2;
-  return p;
-}
+class Tree {
+ public:
+  explicit Tree(const Probe& probe) : probe_(probe) {
+    const auto leaves = [&] {
+      const auto along = [&](int n) { return static_cast<std::int64_t>((n + block_ - 1) / block_); };
+      return along(probe.width()) * along(probe.height()) * static_cast<std::int64_t>(probe.charts.size());
+    };
+    while (leaves() > most_leaves) ++block_;
+  }
+
+  /// Patches of some tens of blocks along each side, for threads to take.
+  std::vector<Patch> roots() const {
+    const int side = 32 * block_;
+    std::vector<Patch> patches;
+    for (int chart = 0; chart < static_cast<int>(probe_.charts.size()); ++chart)
+      for (int y = 0; y < probe_.height(); y += side)
+        for (int x = 0; x < probe_.width(); x += side)
+          patches.push_back(
+              patch(chart, {x, y, std::min(side, probe_.width() - x), std::min(side, probe_.height() - y)}));
+    return patches;
+  }
+
+  /// Appends the patch and all below it; returns the half angle of its cone.
+  float build(const Patch& p, std::vector<Node>& nodes) const {
+    const std::size_t at = nodes.size();
+    nodes.emplace_back();
+    float angle = 0;
+    if (p.texels.width <= block_ && p.texels.height <= block_) {
+      Node leaf;
+      angle = fill(p, leaf);
+      if (angle <= widest || p.depth == deepest) {
+        nodes[at] = leaf;
+        set_radius(nodes[at], angle);
+        return angle;
+      }
+    }
+    std::array<std::size_t, 4> children{};
+    std::array<float, 4> angles{};
+    std::size_t count = 0;
+    for (const Patch& part : parts_of(p)) {
+      children[count] = nodes.size();
+      angles[count++] = build(part, nodes);
+    }
+    angle = join(nodes, at, {children.data(), count}, angles);
+    set_radius(nodes[at], angle);
+    return angle;
+  }
+
+ private:
+  Patch patch(int chart, const Window& w) const {
+    const Cell first = texel_cell(probe_, w.x, w.y), last = texel_cell(probe_, w.x + w.width - 1, w.y + w.height - 1);
+    return {chart, w, {first.u0, last.u1, first.v0, last.v1}};
+  }
+
+  std::vector<Patch> parts_of(const Patch& p) const {
+    std::vector<Patch> parts;
+    if (p.texels.width == 1 && p.texels.height == 1) {
+      if (at_rim(p.cell)) {
+        const DiskReach r = disk_reach(probe_.projection, p.cell);
+        for (int i = 0; i < 4; ++i) {
+          Cell slice = p.cell;
+          slice.theta0 = r.theta0 + 0.25 * i * (r.theta1 - r.theta0);
+          slice.theta1 = r.theta0 + 0.25 * (i + 1) * (r.theta1 - r.theta0);
+          parts.push_back({p.chart, p.texels, slice, p.depth + 1});
+        }
+        return parts;
+      }
+      const double u = 0.5 * (p.cell.u0 + p.cell.u1), v = 0.5 * (p.cell.v0 + p.cell.v1);
+      for (const Cell& c : {Cell{p.cell.u0, u, p.cell.v0, v}, Cell{u, p.cell.u1, p.cell.v0, v},
+                            Cell{p.cell.u0, u, v, p.cell.v1}, Cell{u, p.cell.u1, v, p.cell.v1}})
+        parts.push_back({p.chart, p.texels, c, p.depth + 1});
+      return parts;
+    }
+    const Window& w = p.texels;
+    const int left = (w.width + 1) / 2, top = (w.height + 1) / 2;
+    for (const Window& part :
+         {Window{w.x, w.y, left, top}, Window{w.x + left, w.y, w.width - left, top},
+          Window{w.x, w.y + top, left, w.height - top}, Window{w.x + left, w.y + top, w.width - left, w.height - top}})
+      if (part.width > 0 && part.height > 0) parts.push_back(patch(p.chart, part));
+    return parts;
+  }
+
+  /// Moments and axis of a leaf; returns the half angle of the cone about its corners.
+  float fill(const Patch& p, Node& node) const {
+    const Image& image = probe_.charts[static_cast<std::size_t>(p.chart)];
+    Vec3d sum(0);
+    double solid_angle = 0;
+    for (int y = p.texels.y; y < p.texels.y + p.texels.height; ++y)
+      for (int x = p.texels.x; x < p.texels.x + p.texels.width; ++x) {
+        const Cell cell = p.depth > 0 ? p.cell : texel_cell(probe_, x, y);
+        const CellIntegrals i = integrals(probe_.projection, p.chart, cell);
+        const Rgb c = image.rgb(x, y);
+        for (int k = 0; k < 3; ++k) node.moment[static_cast<std::size_t>(k)] += c[k] * Vec3(i.moment);
+        sum += i.moment, solid_angle += i.solid_angle;
+      }
+    const double size = length(sum);
+    if (!(solid_angle > 0)) return 0;             // out of the disk
+    if (!(size > 0.99 * solid_angle)) return pi;  // directions that undo each other: corners say nothing
+    node.axis = Vec3(sum / size);
+    if (p.texels.width == 1 && p.texels.height == 1 && at_rim(p.cell)) {
+      const DiskReach r = disk_reach(probe_.projection, p.cell);
+      return static_cast<float>(std::hypot(0.5 * (r.theta1 - r.theta0), 0.6 * diagonal(p.cell)));
+    }
+    float angle = 0;
+    for (const Vec2d corner : {Vec2d(p.cell.u0, p.cell.v0), Vec2d(p.cell.u1, p.cell.v0), Vec2d(p.cell.u0, p.cell.v1),
+                               Vec2d(p.cell.u1, p.cell.v1)})
+      if (const auto d = direction(probe_.projection, {p.chart, on_disk(Vec2(corner))}))
+        angle = std::max(angle, between(*d, node.axis));
+    return angle;
+  }
+
+  bool has_disk() const {
+    return std::holds_alternative<MirrorBall>(probe_.projection) || std::holds_alternative<Fisheye>(probe_.projection);
+  }
+  static double diagonal(const Cell& c) { return 2 * std::hypot(c.u1 - c.u0, c.v1 - c.v0); }
+  /// Near the rim a cell is long along the radius, which no side of it need follow: there rings cut it.
+  bool at_rim(const Cell& c) const {
+    return has_disk() && diagonal(c) < static_cast<double>(widest) && disk_reach(probe_.projection, c).nearest > 0.9;
+  }
+  /// The corner itself, or what of the disk is nearest to it.
+  Vec2 on_disk(Vec2 uv) const {
+    const Vec2 p = disk_point(uv);
+    const float r = length(p);
+    return has_disk() && r > 0.999999f ? disk_uv(p * (0.999999f / r)) : uv;
+  }
+  /// By the chord: acos has no digits for small angles.
+  static float between(Vec3 a, Vec3 b) { return 2 * std::asin(std::min(1.0f, 0.5f * length(a - b))); }
+
+  static float join(std::vector<Node>& nodes, std::size_t at, std::span<const std::size_t> children,
+                    const std::array<float, 4>& angles) {
+    Node& node = nodes[at];
+    for (const std::size_t child : children) {
+      for (std::size_t k = 0; k < 3; ++k) node.moment[k] += nodes[child].moment[k];
+      node.axis += nodes[child].axis;
+    }
+    node.size = static_cast<std::uint32_t>(nodes.size() - at);
+    if (!(length_squared(node.axis) > 1e-6f)) return pi;
+    node.axis = normalize(node.axis);
+    float angle = 0;
+    for (std::size_t i = 0; i < children.size(); ++i)
+      if (nodes[children[i]].axis != Vec3(0))
+        angle = std::max(angle, angles[i] + between(nodes[children[i]].axis, node.axis));
+    return angle;
+  }
+
+  static void set_radius(Node& node, float angle) {
+    const float safe = angle * 1.01f + 1e-5f;
+    node.sin_radius = safe < 0.5f * pi ? std::sin(safe) : 2;
+  }
+
+  const Probe& probe_;
+  int block_ = 1;  // texels along a leaf
+};
 
 }  // namespace
 
 Irradiance::Irradiance(const Probe& probe) {
-  struct Block {
-    Node node;
-    float angle;  // the cone's half angle
-  };
-  const TexelMeasure measure = texel_measure(probe);
-  const int charts = static_cast<int>(probe.charts.size());
-  // Leaves: as many blocks as there are texels, or fewer, a power of two along each side so that four make one.
-  Grid leaves{power_of_two_at_most(probe.width()), power_of_two_at_most(probe.height())};
-  while (static_cast<std::int64_t>(leaves.columns) * leaves.rows * charts > (1 << 19))
-    leaves.columns = std::max(1, leaves.columns / 2), leaves.rows = std::max(1, leaves.rows / 2);
-
-  std::vector<Block> level(static_cast<std::size_t>(leaves.columns) * static_cast<std::size_t>(leaves.rows) *
-                           static_cast<std::size_t>(charts));
-  parallel_for(static_cast<std::size_t>(leaves.rows * charts), [&](std::size_t i) {
-    const int chart = static_cast<int>(i) / leaves.rows, row = static_cast<int>(i) % leaves.rows;
-    const Image& image = probe.charts[static_cast<std::size_t>(chart)];
-    const auto first = [](int block, int blocks, int n) {
-      return static_cast<int>(static_cast<std::int64_t>(block) * n / blocks);
-    };
-    const int y0 = first(row, leaves.rows, image.height()), y1 = first(row + 1, leaves.rows, image.height());
-    for (int column = 0; column < leaves.columns; ++column) {
-      const int x0 = first(column, leaves.columns, image.width());
-      const int x1 = first(column + 1, leaves.columns, image.width());
-      Block& block = level[i * static_cast<std::size_t>(leaves.columns) + static_cast<std::size_t>(column)];
-      block.node = {{Vec3(0), Vec3(0), Vec3(0)}, Vec3(0), 1, 0, 0};
-      for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x) {
-          const auto at =
-              static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width()) + static_cast<std::size_t>(x);
-          const Vec3 moment = texel_moment(probe, chart, x, y, measure.solid_angle[at]);
-          const Rgb c = image.rgb(x, y);
-          for (int k = 0; k < 3; ++k) block.node.moment[static_cast<std::size_t>(k)] += c[k] * moment;
-          block.node.axis += moment;
-        }
-      const float size = length(block.node.axis);
-      block.node.axis = size > 0 ? block.node.axis / size : Vec3(0, 0, 1);
-      block.angle = 0;
-      for (const Vec2 corner : {Vec2(x0, y0), Vec2(x1, y0), Vec2(x0, y1), Vec2(x1, y1)})
-        if (const auto d = direction(probe.projection, {chart, uv_of(probe, corner)}))
-          block.angle = std::max(block.angle, std::acos(std::clamp(dot(*d, block.node.axis), -1.0f, 1.0f)));
-        else
-          block.angle = std::max(block.angle, size > 0 ? 2 * std::sqrt(size) : 0.0f);
-    }
-  });
-
-  // Upwards: each level in front of what it was made of.
-  std::vector<std::vector<Block>> levels{std::move(level)};
-  std::vector<Grid> grids{leaves};
-  while (grids.back().columns > 1 && grids.back().rows > 1) {
-    const Grid below = grids.back(), grid{below.columns / 2, below.rows / 2};
-    const std::vector<Block>& from = levels.back();
-    std::vector<Block> to;
-    to.reserve(from.size() / 4);
-    for (int chart = 0; chart < charts; ++chart)
-      for (int y = 0; y < grid.rows; ++y)
-        for (int x = 0; x < grid.columns; ++x) {
-          Block block{{{Vec3(0), Vec3(0), Vec3(0)}, Vec3(0), 1, 0, 0}, 0};
-          std::array<const Block*, 4> parts{};
-          Vec3 axis(0);
-          for (int k = 0; k < 4; ++k) {
-            const int cx = 2 * x + (k & 1), cy = 2 * y + (k >> 1);
-            parts[static_cast<std::size_t>(k)] =
-                &from[static_cast<std::size_t>((chart * below.rows + cy) * below.columns + cx)];
-            const Block& part = *parts[static_cast<std::size_t>(k)];
-            for (std::size_t c = 0; c < 3; ++c) block.node.moment[c] += part.node.moment[c];
-            axis += part.node.axis;
-          }
-          block.node.axis = length_squared(axis) > 1e-6f ? normalize(axis) : Vec3(0, 0, 1);
-          for (const Block* part : parts)
-            block.angle = std::max(
-                block.angle, part->angle + std::acos(std::clamp(dot(part->node.axis, block.node.axis), -1.0f, 1.0f)));
-          to.push_back(block);
-        }
-    levels.push_back(std::move(to));
-    grids.push_back(grid);
-  }
-
-  std::vector<std::size_t> starts(levels.size());
-  std::size_t total = 0;
-  for (std::size_t l = levels.size(); l-- > 0;) starts[l] = total, total += 4 * ((levels[l].size() + 3) / 4);
-  nodes_.resize(total, Node{{Vec3(0), Vec3(0), Vec3(0)}, Vec3(0, 0, 1), 1, 0, 0});
-  // Four siblings stand side by side: their place is that of their parent.
-  roots_ = static_cast<std::uint32_t>(levels.back().size());
-  std::vector<std::uint32_t> places(levels.back().size());
-  for (std::size_t i = 0; i < places.size(); ++i) places[i] = static_cast<std::uint32_t>(i);
-  for (std::size_t l = levels.size(); l-- > 0;) {
-    const Grid grid = grids[l];
-    std::vector<std::uint32_t> below(l > 0 ? levels[l - 1].size() : 0);
-    for (std::size_t i = 0; i < levels[l].size(); ++i) {
-      Node node = levels[l][i].node;
-      const float angle = std::min(levels[l][i].angle * 1.01f + 1e-5f, pi);
-      node.cos_radius = std::cos(angle), node.sin_radius = std::sin(angle);
-      if (angle >= 0.5f * pi) node.cos_radius = -1;  // always split
-      if (l > 0) {
-        node.children =
-            static_cast<std::uint32_t>(starts[l - 1]) + 4 * (places[i] - static_cast<std::uint32_t>(starts[l]));
-        const int x = static_cast<int>(i) % grid.columns, row = static_cast<int>(i) / grid.columns;
-        const int chart = row / grid.rows, y = row % grid.rows;
-        for (int k = 0; k < 4; ++k)
-          below[static_cast<std::size_t>((chart * grids[l - 1].rows + 2 * y + (k >> 1)) * grids[l - 1].columns + 2 * x +
-                                         (k & 1))] = node.children + static_cast<std::uint32_t>(k);
-      }
-      nodes_[places[i]] = node;
-    }
-    places = std::move(below);
-  }
-}
-
-void Irradiance::add(std::uint32_t index, Vec3 normal, std::array<double, 3>& sum) const {
-  const Node& node = nodes_[index];
-  const float c = dot(normal, node.axis);
-  if (node.cos_radius > 0 || node.children == 0) {
-    if (c <= -node.sin_radius) return;
-    if (c >= node.sin_radius || node.children == 0) {
-      // On the horizon a leaf's cosines are spread about evenly over c ± w, w that of a square with its corners on the
-      // cone; the mean of max(0, cosine) is then (c + w)² / 4w.
-      const float w = 0.7071f * node.sin_radius;
-      const bool whole = c >= w;
-      if (c <= -w) return;
-      for (std::size_t k = 0; k < 3; ++k)
-        sum[k] += static_cast<double>(whole ? dot(normal, node.moment[k])
-                                            : dot(node.axis, node.moment[k]) * sqr(c + w) / (4 * w));
-      return;
-    }
-  }
-  for (std::uint32_t k = 0; k < 4; ++k) add(node.children + k, normal, sum);
+  const Tree tree(probe);
+  const std::vector<Patch> roots = tree.roots();
+  std::vector<std::vector<Node>> parts(roots.size());
+  parallel_for(roots.size(), [&](std::size_t i) { tree.build(roots[i], parts[i]); });
+  for (const std::vector<Node>& part : parts) nodes_.insert(nodes_.end(), part.begin(), part.end());
 }
 
 Rgb Irradiance::operator()(Vec3 normal) const {
   std::array<double, 3> sum{};
-  for (std::uint32_t i = 0; i < roots_; ++i) add(i, normal, sum);
+  for (std::size_t i = 0; i < nodes_.size();) {
+    const Node& node = nodes_[i];
+    const float c = dot(normal, node.axis);
+    const bool seen = c >= node.sin_radius, hidden = c <= -node.sin_radius;
+    if (!seen && !hidden && node.size > 1) {
+      ++i;
+      continue;
+    }
+    // On the horizon a leaf's cosines are spread about evenly over c ± w, w that of a square with its corners on the
+    // cone; the mean of max(0, cosine) is then (c + w)² / 4w.
+    const float w = 0.7071f * node.sin_radius;
+    for (std::size_t k = 0; k < 3 && c > -w; ++k)
+      sum[k] += static_cast<double>(c >= w ? dot(normal, node.moment[k])
+                                           : dot(node.axis, node.moment[k]) * sqr(c + w) / (4 * w));
+    i += node.size;
+  }
   return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};
 }
 

@@ -13,6 +13,8 @@ struct LatLong {
   static constexpr int charts = 1;
   bool centre_is_plus_z = false;  ///< turned half around, as OpenEXR's envmap attribute defines it
 
+  bool operator==(const LatLong&) const = default;
+
   std::optional<Vec3> direction(MapPoint at) const {
     const float theta = pi * at.uv.y, phi = 2 * pi * (at.uv.x - 0.5f), ring = turn() * std::sin(theta);
     return Vec3(ring * std::sin(phi), std::cos(theta), -ring * std::cos(phi));

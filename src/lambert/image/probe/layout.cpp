@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace lambert::probe {
 namespace {
@@ -57,18 +58,45 @@ std::optional<Places> places(Arrangement arrangement) {
 
 constexpr std::size_t behind = 4;  // the index of pz
 
-/// The texel of the picture that shows texel (x, y) of a face.
-Vec2i in_picture(const Places& p, std::size_t face, int n, int x, int y) {
-  if (face == behind && p.last_upside_down) x = n - 1 - x, y = n - 1 - y;
-  return p.at[face] * n + Vec2i(x, y);
+const Attribute openexr_lat_long{"envmap", "latlong"}, openexr_cube{"envmap", "cube"};
+
+/// Sets OpenEXR's attribute where the picture is what it stands for, and only there.
+void set_envmap(Image& picture, const Probe& probe, Arrangement arrangement) {
+  picture.attributes.erase("envmap");
+  if (probe.texels != TexelRule::edge_to_edge) return;
+  if (const auto* map = std::get_if<LatLong>(&probe.projection); map && map->centre_is_plus_z)
+    picture.attributes["envmap"] = openexr_lat_long;
+  if (const auto* cube = std::get_if<Cube>(&probe.projection);
+      cube && !cube->opengl && arrangement == Arrangement::vertical_strip)
+    picture.attributes["envmap"] = openexr_cube;
 }
 
 std::string size_text(const Image& image) {
   return std::to_string(image.width()) + "x" + std::to_string(image.height());
 }
 
-void copy_texel(Image& to, Vec2i there, const Image& from, Vec2i here) {
-  for (std::size_t c = 0; c < from.channel_count(); ++c) to.at(there.x, there.y, c) = from.at(here.x, here.y, c);
+/// The place in the picture of row y of a face, whose last texel comes first when the face is upside down.
+struct Row {
+  Vec2i first;
+  bool reversed;
+};
+Row row_of(const Places& p, std::size_t face, int n, int y) {
+  const bool reversed = face == behind && p.last_upside_down;
+  return {p.at[face] * n + Vec2i(0, reversed ? n - 1 - y : y), reversed};
+}
+
+const float* texels_from(const Image& image, Vec2i p) {
+  return image.row(p.y).data() + static_cast<std::size_t>(p.x) * image.channel_count();
+}
+
+/// Copies a row of n texels, or its mirror image.
+void copy_row(float* to, const float* from, int n, std::size_t channels, bool reversed) {
+  const auto count = static_cast<std::size_t>(n);
+  if (!reversed) {
+    std::copy_n(from, count * channels, to);
+    return;
+  }
+  for (std::size_t x = 0; x < count; ++x) std::copy_n(from + (count - 1 - x) * channels, channels, to + x * channels);
 }
 
 Probe cut_picture(const Layout& layout, const Places& p, const Image& picture) {
@@ -79,10 +107,13 @@ Probe cut_picture(const Layout& layout, const Places& p, const Image& picture) {
   Probe probe{layout.projection, layout.texels, {}};
   for (std::size_t face = 0; face < p.at.size(); ++face) {
     Image& chart = probe.charts.emplace_back(n, n, picture.channels());
-    for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) copy_texel(chart, {x, y}, picture, in_picture(p, face, n, x, y));
+    for (int y = 0; y < n; ++y) {
+      const auto [first, reversed] = row_of(p, face, n, y);
+      copy_row(chart.row(y).data(), texels_from(picture, first), n, picture.channel_count(), reversed);
+    }
   }
   probe.charts.front().metadata = picture.metadata;
+  probe.charts.front().attributes = picture.attributes;
   return probe;
 }
 
@@ -102,9 +133,10 @@ std::vector<std::string> layout_names() {
 
 std::string guess_layout(const Image& image) {
   const auto w = static_cast<std::int64_t>(image.width()), h = static_cast<std::int64_t>(image.height());
-  const auto layout = image.metadata.find("probe.layout");
-  if (layout != image.metadata.end() && layout->second == "openexr-lat-long") return "openexr-lat-long";
-  if (layout != image.metadata.end() && layout->second == "openexr-cube") return "openexr-cube";
+  if (const auto envmap = image.attributes.find("envmap"); envmap != image.attributes.end()) {
+    if (envmap->second == openexr_lat_long) return "openexr-lat-long";
+    if (envmap->second == openexr_cube) return "openexr-cube";
+  }
   if (w == 2 * h) return "lat-long";
   if (4 * w == 3 * h) return "vertical-cross";
   if (3 * w == 4 * h) return "horizontal-cross";
@@ -129,16 +161,24 @@ Probe cut(const Layout& layout, std::vector<Image> pictures) {
   return {layout.projection, layout.texels, std::move(pictures)};
 }
 
-std::vector<Image> arranged(const Probe& probe, Arrangement arrangement) {
+std::vector<Image> arranged(Probe probe, Arrangement arrangement) {
   const auto p = places(arrangement);
-  if (!p) return probe.charts;
+  if (!p) {
+    for (Image& chart : probe.charts) set_envmap(chart, probe, arrangement);
+    return std::move(probe.charts);
+  }
   const int n = probe.width();
   std::vector<Image> pictures;
   Image& picture = pictures.emplace_back(n * p->size.x, n * p->size.y, probe.charts.front().channels());
   picture.metadata = probe.charts.front().metadata;
+  picture.attributes = probe.charts.front().attributes;
+  set_envmap(picture, probe, arrangement);
   for (std::size_t face = 0; face < p->at.size(); ++face)
-    for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) copy_texel(picture, in_picture(*p, face, n, x, y), probe.charts[face], {x, y});
+    for (int y = 0; y < n; ++y) {
+      const auto [first, reversed] = row_of(*p, face, n, y);
+      const Image& chart = probe.charts[face];
+      copy_row(&picture.at(first.x, first.y, 0), chart.row(y).data(), n, chart.channel_count(), reversed);
+    }
   return pictures;
 }
 

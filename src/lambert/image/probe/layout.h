@@ -37,7 +37,7 @@ struct Layout {
 Layout layout(std::string_view name);
 std::vector<std::string> layout_names();
 /// What a picture of this shape is most likely, as a name; throws Error for a shape of no or of several layouts (1:1)
-/// that says so. A picture that was written by OpenEXR's rules ("probe.layout" in its metadata) is told by that.
+/// that says so. OpenEXR's attribute `envmap` goes before the shape: openexr-lat-long or openexr-cube.
 std::string guess_layout(const Image& image);
 
 /// A map of directions, its charts all of one size and with the same channels.
@@ -53,8 +53,10 @@ struct Probe {
 /// Cuts a picture into charts. Throws Error when its shape is not the layout's; `files` takes six pictures, all others
 /// one. A lat-long map may have any shape.
 Probe cut(const Layout& layout, std::vector<Image> pictures);
-/// The picture, or the six, of a map; what of a cross shows nothing is 0. Metadata goes along.
-std::vector<Image> arranged(const Probe& probe, Arrangement arrangement);
+/// The picture, or the six, of a map; what of a cross shows nothing is 0. Metadata and attributes go along, but
+/// `envmap` is set for openexr-lat-long and openexr-cube alone: OpenEXR's functions would turn any other picture half
+/// around.
+std::vector<Image> arranged(Probe probe, Arrangement arrangement);
 
 /// Columns and rows of a chart of `size`: a lat-long map is `size` high and twice as wide, all others are square.
 Vec2i chart_size(const AnyProjection& projection, int size);

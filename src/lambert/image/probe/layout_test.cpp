@@ -25,6 +25,26 @@ TEST(Layout, CutUndoesArranged) {
   }
 }
 
+// rows: IS-19 IS-20
+TEST(Layout, OpenExrsAttributeIsSetAndRead) {
+  for (const std::string& name : layout_names()) {
+    const Layout l = layout(name);
+    Probe probe{l.projection, l.texels, {}};
+    const Vec2i size = chart_size(l.projection, 8);
+    for (int i = 0; i < chart_count(l.projection); ++i) probe.charts.emplace_back(size.x, size.y, rgb_channels());
+    probe.charts.front().attributes["envmap"] = {"envmap", "cube"};  // of what it was made from
+    probe.charts.front().attributes["expTime"] = {"float", "0.5"};
+    const Image picture = arranged(probe, l.arrangement).front();
+    EXPECT_EQ(picture.attributes.at("expTime").value, "0.5") << name;
+    if (name.starts_with("openexr-")) {
+      EXPECT_EQ(picture.attributes.at("envmap").value, name == "openexr-cube" ? "cube" : "latlong");
+      EXPECT_EQ(guess_layout(picture), name);
+    } else {
+      EXPECT_FALSE(picture.attributes.contains("envmap")) << name;
+    }
+  }
+}
+
 // rows: IS-19 LF-13
 // Neighbours in the picture are neighbours on the sphere: the cross can be folded.
 TEST(Layout, CrossesFold) {

@@ -1,5 +1,6 @@
 #include "lambert/image/probe/lookup.h"
 
+#include "lambert/base/error.h"
 #include "lambert/base/parallel.h"
 #include "lambert/image/probe/disk.h"
 #include "lambert/image/probe/texels.h"
@@ -49,8 +50,12 @@ Lookup::Lookup(const Probe& probe)
   // Texel centres lie at whole numbers of the bordered chart.
   shift_ = pixel_of(probe, Vec2(0)) + 0.5f;
   scale_ = pixel_of(probe, Vec2(1)) + 0.5f - shift_;
-  values_.resize(probe.charts.size() * static_cast<std::size_t>(width_ + 2) * static_cast<std::size_t>(height_ + 2) *
-                 stride_);
+  row_ = static_cast<std::uint32_t>(width_ + 2);
+  const std::size_t texels = probe.charts.size() * row_ * static_cast<std::size_t>(height_ + 2);
+  if (texels + row_ + 2 > INT32_MAX) throw Error("the map is too large to be looked up");
+  dark_ = static_cast<std::uint32_t>(texels);
+  values_ = std::make_unique_for_overwrite<float[]>((texels + row_ + 2) * stride_);
+  std::fill_n(&values_[texels * stride_], (row_ + 2) * stride_, 0.0f);
   const int charts = static_cast<int>(probe.charts.size());
   for (int chart = 0; chart < charts; ++chart) build_chart(chart);
   // Borders come from other charts; these must stand. Corners of cubes read edges of neighbours within their texels.
@@ -68,9 +73,9 @@ Lookup::Lookup(const Probe& probe)
   });
 }
 
-const float* Lookup::texel(int chart, int x, int y) const {
+float* Lookup::texel(int chart, int x, int y) const {
   const auto row = static_cast<std::size_t>(chart * (height_ + 2) + y + 1);
-  return &values_[(row * static_cast<std::size_t>(width_ + 2) + static_cast<std::size_t>(x + 1)) * stride_];
+  return &values_[(row * row_ + static_cast<std::size_t>(x + 1)) * stride_];
 }
 
 void Lookup::build_chart(int chart) {
@@ -78,11 +83,10 @@ void Lookup::build_chart(int chart) {
   const bool lat_long = std::holds_alternative<LatLong>(probe_->projection);
   parallel_for(static_cast<std::size_t>(height_), [&](std::size_t row) {
     const int y = static_cast<int>(row);
-    float* out = const_cast<float*>(texel(chart, 0, y));
+    float* out = texel(chart, 0, y);
     const float* in = image.row(y).data();
-    for (int x = 0; x < width_; ++x)
-      for (std::size_t c = 0; c < channels_; ++c)
-        out[static_cast<std::size_t>(x) * stride_ + c] = in[static_cast<std::size_t>(x) * channels_ + c];
+    for (std::size_t x = 0; x < static_cast<std::size_t>(width_); ++x)
+      for (std::size_t c = 0; c < stride_; ++c) out[x * stride_ + c] = c < channels_ ? in[x * channels_ + c] : 0;
     if (!lat_long) return;
     // Edge to edge, the last column is the first one again.
     const int columns = probe_->texels == TexelRule::cells ? width_ : std::max(1, width_ - 1);
@@ -119,55 +123,66 @@ void Lookup::extend(int chart, int x, int y) {
   const int i1 = std::min(i + 1, width_ - 1), j1 = std::min(j + 1, height_ - 1);
   const float *a = texel(from.chart, i, j), *b = texel(from.chart, i1, j), *c = texel(from.chart, i, j1),
               *d = texel(from.chart, i1, j1);
-  float* out = const_cast<float*>(texel(chart, x, y));
-  for (std::size_t k = 0; k < channels_; ++k)
+  float* out = texel(chart, x, y);
+  for (std::size_t k = 0; k < stride_; ++k)
     out[k] = (1 - t) * ((1 - s) * a[k] + s * b[k]) + t * ((1 - s) * c[k] + s * d[k]);
 }
 
 template <class P>
-void Lookup::add_all(const P& projection, std::span<const Vec3> directions, std::span<const float> weights,
-                     float* sums) const {
-  const std::size_t row = static_cast<std::size_t>(width_ + 2) * stride_;
-  const std::size_t chart = row * static_cast<std::size_t>(height_ + 2);
-  const auto last_x = static_cast<float>(width_ + 1), last_y = static_cast<float>(height_ + 1);
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const auto p = projection.point(directions[i]);
-    if (!p) continue;
-    const float x = std::clamp(p->uv.x * scale_.x + shift_.x, 0.0f, last_x);
-    const float y = std::clamp(p->uv.y * scale_.y + shift_.y, 0.0f, last_y);
-    const int x0 = std::min(static_cast<int>(x), width_), y0 = std::min(static_cast<int>(y), height_);
-    const float s = x - static_cast<float>(x0), t = y - static_cast<float>(y0), w = weights[i];
-    const float* top = &values_[static_cast<std::size_t>(p->chart) * chart + static_cast<std::size_t>(y0) * row +
-                                static_cast<std::size_t>(x0) * stride_];
-    const float* bottom = top + row;
-    const float a = w * (1 - s) * (1 - t), b = w * s * (1 - t), c = w * (1 - s) * t, d = w * s * t;
-    for (std::size_t k = 0; k < stride_; k += 4)
-      for (std::size_t m = k; m < k + 4; ++m)
-        sums[m] += a * top[m] + b * top[m + stride_] + c * bottom[m] + d * bottom[m + stride_];
+void Lookup::find_all(const P& projection, std::size_t count, const float* __restrict dx, const float* __restrict dy,
+                      const float* __restrict dz, std::uint32_t* __restrict texels, float* __restrict across,
+                      float* __restrict down) const {
+  const auto last_x = static_cast<float>(width_), last_y = static_cast<float>(height_);
+  const Vec2 scale = scale_, shift = shift_;
+  const int row = static_cast<int>(row_), chart = row * (height_ + 2);
+  const std::uint32_t dark = dark_;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto p = projection.point({dx[i], dy[i], dz[i]});
+    const MapPoint at = p ? *p : MapPoint{};
+    // The last texel that has a right and a lower neighbour is the last but one.
+    const float x = std::max(0.0f, at.uv.x * scale.x + shift.x), y = std::max(0.0f, at.uv.y * scale.y + shift.y);
+    const int left = static_cast<int>(std::min(x, last_x)), top = static_cast<int>(std::min(y, last_y));
+    texels[i] = p ? static_cast<std::uint32_t>(at.chart * chart + top * row + left) : dark;
+    across[i] = std::min(x - static_cast<float>(left), 1.0f);
+    down[i] = std::min(y - static_cast<float>(top), 1.0f);
   }
 }
 
-void Lookup::add(std::span<const Vec3> directions, std::span<const float> weights, std::span<float> sums) const {
-  std::visit([&](const auto& p) { add_all(p, directions, weights, sums.data()); }, probe_->projection);
+void Lookup::find(const Directions& directions, Places& places) const {
+  const std::size_t count = directions.size();
+  places.texel.resize(count), places.across.resize(count), places.down.resize(count);
+  std::visit(
+      [&](const auto& p) {
+        find_all(p, count, directions.x.data(), directions.y.data(), directions.z.data(), places.texel.data(),
+                 places.across.data(), places.down.data());
+      },
+      probe_->projection);
 }
 
-void Lookup::read(Vec3 d, std::span<float> values) const {
-  std::vector<float> sums(stride_, 0.0f);
-  const float one = 1;
-  add({&d, 1}, {&one, 1}, sums);
-  std::copy_n(sums.begin(), channels_, values.begin());
+void Lookup::add(const Places& places, std::size_t first, std::span<const float> weights, std::span<float> sums) const {
+  for (std::size_t k = 0; k < stride_; k += 4) {
+    float sum[4] = {sums[k], sums[k + 1], sums[k + 2], sums[k + 3]};
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      const float* top = &values_[places.texel[first + i] * stride_ + k];
+      const float* bottom = top + row_ * stride_;
+      const float right = weights[i] * places.across[first + i], left = weights[i] - right;
+      const float d = right * places.down[first + i], b = right - d, c = left * places.down[first + i], a = left - c;
+      for (std::size_t m = 0; m < 4; ++m)
+        sum[m] += a * top[m] + b * top[m + stride_] + c * bottom[m] + d * bottom[m + stride_];
+    }
+    std::copy_n(sum, 4, &sums[k]);
+  }
 }
 
 Rgb Lookup::rgb(Vec3 d) const {
-  if (stride_ > 4) {
-    std::vector<float> values(channels_);
-    read(d, values);
-    return colour_ ? Rgb(values[0], values[1], values[2]) : Rgb(values[0]);
-  }
-  float sums[4] = {};
-  const float one = 1;
-  add({&d, 1}, {&one, 1}, sums);
-  return colour_ ? Rgb(sums[0], sums[1], sums[2]) : Rgb(sums[0]);
+  std::uint32_t at = 0;
+  float s = 0, t = 0;
+  std::visit([&](const auto& p) { find_all(p, 1, &d.x, &d.y, &d.z, &at, &s, &t); }, probe_->projection);
+  const float *top = &values_[at * stride_], *bottom = top + row_ * stride_;
+  const auto value = [&](std::size_t c) {
+    return (1 - t) * ((1 - s) * top[c] + s * top[c + stride_]) + t * ((1 - s) * bottom[c] + s * bottom[c + stride_]);
+  };
+  return colour_ ? Rgb(value(0), value(1), value(2)) : Rgb(value(0));
 }
 
 float Lookup::texel_angle(Vec3 d) const {

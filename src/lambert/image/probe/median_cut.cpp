@@ -104,7 +104,7 @@ std::vector<CutLight> median_cut(const Probe& probe, int count) {
     for (int y = w.y; y < w.y + w.height; ++y)
       for (int x = w.x; x < w.x + w.width; ++x) {
         const Rgb c = image.rgb(x, y);
-        const Vec3 m = texel_moment(probe, 0, x, y, table.omega(x, y));
+        const Vec3 m = texel_moment(probe, 0, x, y);
         const auto l = static_cast<double>(std::max(luminance(c), 1e-20f));
         for (int k = 0; k < 3; ++k) {
           towards[k] += l * static_cast<double>(m[k]);

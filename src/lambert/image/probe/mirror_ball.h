@@ -17,6 +17,12 @@ struct MirrorBall {
   /// Of the camera from the ball's centre, in radii, above 1; the ball lies on the camera's axis. A cone of half angle
   /// asin(1 / distance) behind the ball is then not seen.
   float distance = std::numeric_limits<float>::infinity();
+  static constexpr int axis = 1;  ///< the centre shows +z
+
+  float angle(float radius) const;  ///< θ from the axis, at a radius of [0, 1] on the disk
+  float radius(float angle) const;  ///< above 1 for what is not seen
+
+  bool operator==(const MirrorBall&) const = default;
 
   std::optional<Vec3> direction(MapPoint at) const;
   std::optional<MapPoint> point(Vec3 d) const;

@@ -9,6 +9,8 @@ namespace lambert::probe {
 /// along v (Cigolle et al., "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 2014).
 struct Octahedral {
   static constexpr int charts = 1;
+  bool operator==(const Octahedral&) const = default;
+
   std::optional<Vec3> direction(MapPoint at) const;
   std::optional<MapPoint> point(Vec3 d) const;
   float density(MapPoint at) const;
@@ -18,6 +20,8 @@ struct Octahedral {
 /// pbrt-v4's: the square's centre is +z, its corners -z.
 struct EqualArea {
   static constexpr int charts = 1;
+  bool operator==(const EqualArea&) const = default;
+
   std::optional<Vec3> direction(MapPoint at) const;
   std::optional<MapPoint> point(Vec3 d) const;
   float density(MapPoint) const { return 4 * pi; }

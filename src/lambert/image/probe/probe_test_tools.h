@@ -2,20 +2,23 @@
 /// Environments for tests, given as functions of direction.
 
 #include "lambert/base/hash.h"
+#include "lambert/base/parallel.h"
 #include "lambert/image/probe/texels.h"
 
 #include <cstdint>
 
 namespace lambert::probe {
 
-/// The mean of f over each texel, by n x n points of its solid angle.
+/// The mean of f over each texel, by n x n points of its solid angle; f is called from several threads.
 template <class F>
 Probe map_of(const AnyProjection& projection, int rows, const F& f, int n = 1, TexelRule rule = TexelRule::cells) {
   Probe probe{projection, rule, {}};
   const Vec2i size = chart_size(projection, rows);
   for (int chart = 0; chart < chart_count(projection); ++chart) {
     probe.charts.emplace_back(size.x, size.y, rgb_channels());
-    for (int y = 0; y < size.y; ++y)
+    Image& image = probe.charts.back();
+    parallel_for(static_cast<std::size_t>(size.y), [&](std::size_t row) {
+      const int y = static_cast<int>(row);
       for (int x = 0; x < size.x; ++x) {
         Rgb sum;
         float weight = 0;
@@ -27,8 +30,9 @@ Probe map_of(const AnyProjection& projection, int rows, const F& f, int n = 1, T
           const float w = density(projection, at);
           sum += w * f(*d), weight += w;
         }
-        if (weight > 0) probe.charts.back().set_rgb(x, y, sum / weight);
+        if (weight > 0) image.set_rgb(x, y, sum / weight);
       }
+    });
   }
   return probe;
 }

@@ -1,5 +1,6 @@
 #include "lambert/image/probe/range_check.h"
 
+#include "lambert/image/probe/irradiance.h"
 #include "lambert/image/probe/texels.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ RangeReport check_range(const Probe& probe) {
   report.plateau_value = top;
   report.darkest = std::numeric_limits<float>::infinity();
   report.brightest = -std::numeric_limits<float>::infinity();
-  Sum mean, up, down;
+  Sum mean;
   Vec3 towards(0);
   double total = 0, below = 0;
   float next = 0;  // the largest value under the plateau
@@ -55,12 +56,10 @@ RangeReport check_range(const Probe& probe) {
     report.brightest = std::max(report.brightest, l);
     if (l > 0) report.darkest = std::min(report.darkest, l);
     mean.add(c, omega), total += static_cast<double>(omega);
-    const Vec3 moment = texel_moment(probe, chart, x, y, omega);
-    up.add(c, std::max(0.0f, moment.y)), down.add(c, std::max(0.0f, -moment.y));
     if (on_plateau(c, top)) {
       ++report.plateau_texels;
       report.plateau_solid_angle += omega;
-      towards += moment;
+      towards += texel_moment(probe, chart, x, y);
     } else {
       next = std::max(next, max_component(c));
       below += static_cast<double>(omega * max_component(c));
@@ -69,7 +68,8 @@ RangeReport check_range(const Probe& probe) {
   if (!std::isfinite(report.darkest)) report.darkest = 0;
   report.brightest = std::max(report.brightest, 0.0f);
   report.mean_radiance = mean.rgb() / static_cast<float>(total);
-  report.irradiance_up = up.rgb(), report.irradiance_down = down.rgb();
+  const Irradiance irradiance(probe);
+  report.irradiance_up = irradiance({0, 1, 0}), report.irradiance_down = irradiance({0, -1, 0});
   if (report.darkest > 0) report.ratio = report.brightest / report.darkest, report.stops = std::log2(report.ratio);
   if (length(towards) > 0) report.plateau_direction = normalize(towards);
   report.at_format_limit = std::abs(top - 1) < 1e-3f || top >= 65000;
@@ -82,8 +82,8 @@ RangeReport check_range(const Probe& probe) {
 std::optional<Rgb> missing_factor(const Probe& probe, const KnownIrradiance& known) {
   const float top = top_value(probe);
   Sum plateau, other;
-  for_each_texel(probe, [&](int chart, int x, int y, Rgb c, float omega) {
-    const float cosine = std::max(0.0f, dot(texel_moment(probe, chart, x, y, omega), known.normal));
+  for_each_texel(probe, [&](int chart, int x, int y, Rgb c, float) {
+    const float cosine = std::max(0.0f, dot(texel_moment(probe, chart, x, y), known.normal));
     (on_plateau(c, top) ? plateau : other).add(c, cosine);
   });
   const Rgb wanted = known.irradiance - other.rgb(), have = plateau.rgb();

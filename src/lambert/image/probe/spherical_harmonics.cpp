@@ -131,15 +131,16 @@ std::vector<ShColour> sh_irradiance(std::span<const ShColour> radiance) {
   return result;
 }
 
-Probe sh_map(std::span<const ShColour> coefficients, const AnyProjection& projection, int rows) {
+Probe sh_map(std::span<const ShColour> coefficients, const AnyProjection& projection, TexelRule texels, int rows) {
   const Vec2i size = chart_size(projection, rows);
-  Probe result{projection, TexelRule::cells, {}};
+  Probe result{projection, texels, {}};
+  for (int i = 0; i < chart_count(projection); ++i) result.charts.emplace_back(size.x, size.y, rgb_channels());
   for (int i = 0; i < chart_count(projection); ++i) {
-    Image& chart = result.charts.emplace_back(size.x, size.y, rgb_channels());
+    Image& chart = result.charts[static_cast<std::size_t>(i)];
     parallel_for(static_cast<std::size_t>(size.y), [&](std::size_t row) {
       const int y = static_cast<int>(row);
       for (int x = 0; x < size.x; ++x)
-        if (const auto d = direction(projection, {i, (Vec2(x, y) + 0.5f) / Vec2(size)}))
+        if (const auto d = direction(projection, {i, uv_of(result, Vec2(x, y) + 0.5f)}))
           chart.set_rgb(x, y, sh_radiance(coefficients, *d));
     });
   }

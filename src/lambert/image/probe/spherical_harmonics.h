@@ -30,6 +30,6 @@ std::vector<ShColour> sh_irradiance(std::span<const ShColour> radiance);
 double cosine_lobe(int l);  ///< A_l
 
 /// The environment that the coefficients stand for; negative radiance (ringing) stays.
-Probe sh_map(std::span<const ShColour> coefficients, const AnyProjection& projection, int rows);
+Probe sh_map(std::span<const ShColour> coefficients, const AnyProjection& projection, TexelRule texels, int rows);
 
 }  // namespace lambert::probe

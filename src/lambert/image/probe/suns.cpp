@@ -21,6 +21,7 @@ class Finder {
   std::optional<Sun> take_brightest() {
     const Texel peak = brightest();
     const float top = luminance(at(peak));
+    if (!(top > 0)) return std::nullopt;
     const std::vector<Texel> disk = connected(peak, settings_.threshold * top);
     if (disk.empty()) return std::nullopt;
     double mean = 0, solid_angle = 0, all = 0;
@@ -80,6 +81,7 @@ class Finder {
     std::vector<Texel> found{from};
     std::unordered_map<std::size_t, bool> seen{{key(from), true}};
     float solid_angle = omega(from);
+    if (solid_angle > settings_.largest) return {};
     for (std::size_t i = 0; i < found.size(); ++i)
       for (const Vec2i step : {Vec2i(1, 0), Vec2i(-1, 0), Vec2i(0, 1), Vec2i(0, -1)}) {
         const auto n = neighbour(found[i], step.x, step.y);
@@ -98,7 +100,7 @@ class Finder {
     double moment[3][3] = {}, towards[3] = {}, radiance[3] = {};
     for (std::size_t i = 0; i < disk.size(); ++i) {
       const Texel& t = disk[i];
-      const Vec3 m = texel_moment(sky_, t.chart, t.x, t.y, omega(t));
+      const Vec3 m = texel_moment(sky_, t.chart, t.x, t.y);
       const Rgb after = at(t), taken = before[i] - after;
       for (int k = 0; k < 3; ++k) {
         radiance[k] += static_cast<double>(before[i][k] * omega(t));

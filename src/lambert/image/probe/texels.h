@@ -1,4 +1,5 @@
 #pragma once
+#include "lambert/image/probe/cell.h"
 #include "lambert/image/probe/layout.h"
 
 #include <vector>
@@ -9,16 +10,17 @@ namespace lambert::probe {
 Vec2 uv_of(const Probe& probe, Vec2 pixel);
 Vec2 pixel_of(const Probe& probe, Vec2 uv);
 
+/// The part of the chart that texel (x, y) stands for. With edge-to-edge texels only what lies on the chart counts.
+Cell texel_cell(const Probe& probe, int x, int y);
+
 /// What a texel of each place spans; index y * width + x, the same for all charts (a cube's faces are alike).
 struct TexelMeasure {
-  std::vector<float> solid_angle;  ///< sr; over all charts their sum is 4π, or what a fisheye sees, within 1e-4
+  std::vector<float> solid_angle;  ///< sr; over all charts their sum is 4π, or what a disk shows, within 1e-4
 };
-/// Closed forms for lat-long, cube and equal-area maps, else Gauss' rule with 2x2 points, at the rim of a disk an even
-/// grid of 32x32. With edge-to-edge texels only what lies on the chart counts.
 TexelMeasure texel_measure(const Probe& probe);
 
-/// ∫ d dω over a texel, by its closed form for lat-long maps, else by Gauss' rule with 2x2 points; 0 outside of a disk.
-/// Its direction is that of the texel's middle, its length just below the solid angle.
-Vec3 texel_moment(const Probe& probe, int chart, int x, int y, float solid_angle);
+/// ∫ d dω over a texel; 0 outside of a disk. Its direction is that of the texel's middle, its length just below the
+/// solid angle.
+Vec3 texel_moment(const Probe& probe, int chart, int x, int y);
 
 }  // namespace lambert::probe
