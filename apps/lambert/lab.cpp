@@ -1,4 +1,5 @@
 #include "command.h"
+#include "print_path.h"
 
 #include "lambert/base/error.h"
 #include "lambert/draw/write_drawing.h"
@@ -51,7 +52,7 @@ int run(const Options& o) {
     for (const auto& [name, value] : shown.facts) facts["facts"][name] = value;
     fmt::print("{}\n", facts.dump(2));
   } else {
-    fmt::print("{}\n", path);
+    print_path(path);
     for (const auto& [name, value] : shown.facts) fmt::print("  {:<52} {:.6g}\n", name, value);
   }
   return done;
