@@ -19,7 +19,7 @@ std::function<int()> add_hdr(CLI::App& app) {
       "'lambert hdr VERB --help' explains a verb. Try:\n"
       "  lambert hdr merge IMG_*.jpg -o room.exr\n"
       "  lambert hdr merge a.png b.png c.png --times 1/60,1/15,1/4 -o room.exr --response response.csv\n"
-      "  lambert hdr expose room.exr --bracket -4..4:2 -o shot_{}.png --list shots.txt\n"
+      "  lambert hdr expose room.exr --bracket -4..4:2 -o shot_{}.png\n"
       "  lambert hdr range room.exr");
   return run;
 }

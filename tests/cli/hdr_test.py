@@ -8,8 +8,11 @@ from command_line import SOURCE, CommandLineTest, main
 
 
 def png_with_exif(path, time, f_number, iso, out):
-    """The PNG with an eXIf chunk before its data."""
+    """The PNG with this eXIf chunk, and no other, before its data."""
     data = path.read_bytes()
+    if (at := data.find(b"eXIf")) > 0:
+        length, = struct.unpack(">I", data[at - 4:at])
+        data = data[:at - 4] + data[at + 8 + length:]
     rational = lambda v: struct.pack("<II", round(v * 10000), 10000)
     tags = [(0x829A, 5, 1, rational(time)), (0x829D, 5, 1, rational(f_number)), (0x8827, 3, 1, struct.pack("<HH", iso, 0))]
     start = 8 + 2 + 12 + 4  # header, then a directory of one entry
@@ -74,11 +77,20 @@ class Hdr(CommandLineTest):
         self.hdr("merge", *shots, "--stops", "-6,-4,-2,0,2", "-o", "c.exr", "--quiet")
         self.assertEqual((self.folder / "b.exr").read_bytes(), (self.folder / "c.exr").read_bytes())
 
+    def test_photographs_know_their_times(self):
+        for kind in ("png", "jpg"):
+            self.hdr("expose", "map.exr", "--bracket", "-6..2:2", "--time", "1/3", "-o", f"known_{{}}.{kind}")
+            facts = self.facts(*(f"known_{i:02}.{kind}" for i in range(5)), "-o", "a.exr")
+            for photograph, stops in zip(facts["photographs"], (-6, -4, -2, 0, 2)):
+                self.assertAlmostEqual(photograph["exposure"] / 2.0**stops, 1 / 3, delta=1e-5)
+
     def test_refusals_have_reasons(self):
         self.expose()
         two = ["shot_01.png", "shot_02.png"]
+        self.lambert("image", "convert", two[0], "-o", "bare_0.png")
+        self.lambert("image", "convert", two[1], "-o", "bare_1.png")
         for arguments, words in (
-            ([*two], "exposure time is not known"),
+            (["bare_0.png", "bare_1.png"], "exposure time is not known"),
             ([*two, "--times", "1,1"], "same exposure"),
             ([*two, "--times", "4,1"], "contradict"),
             ([*two, "--times", "1"], "1 exposures for 2 photographs"),
@@ -94,6 +106,7 @@ class Hdr(CommandLineTest):
             self.assertIn(words, done.stderr)
         self.assertIn("display format", self.hdr("merge", *two, "--times", "1,4", "-o", "x.png", status=1).stderr)
         self.hdr("merge", *two, status=2)
+        self.hdr("merge", *two, "-o", "x.exr", "--compression", "gzip", status=2)
         self.hdr("expose", "map.exr", "--bracket", "4..1", "-o", "a_{}.png", status=1)
         self.hdr("expose", "map.exr", "--bracket", "-1..1", "-o", "a.png", status=1)
         self.assertNotIn("x.exr", self.files())
@@ -119,10 +132,12 @@ class Hdr(CommandLineTest):
             self.hdr("response", "shots.txt", "--response", method, "--by", "code", "-o", f"{method}.csv")
             self.assertEqual(len((self.folder / f"{method}.csv").read_text().splitlines()), 257)
 
-    def test_sixteen_bits_go_through_tiff(self):
+    def test_sixteen_bits_go_through_tiff_and_png(self):
         self.hdr("expose", "map.exr", "--bracket", "-4,0", "-o", "t_{}.tif", "--bits", "16", "--list", "t.txt", "--response", "linear")
         facts = self.facts("t.txt", "-o", "a.exr", "--response", "linear")
         self.assertEqual(facts["bits"], 16)
+        self.hdr("expose", "map.exr", "--bracket", "-4,0", "-o", "t_{}.png", "--bits", "16", "--response", "linear")
+        self.assertEqual(self.facts("t_00.png", "t_01.png", "-o", "b.exr", "--response", "linear")["bits"], 16)
 
 
 if __name__ == "__main__":

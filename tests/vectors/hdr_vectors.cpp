@@ -31,10 +31,11 @@ const CheckOf map_range("V-LF-04", [](const Vector& v) {
 const CheckOf merged("V-LF-14", [](const Vector& v) {
   hdr::ExposureStack stack{.width = 2, .height = 1, .channels = 1, .levels = 257};
   for (const std::size_t j : {1u, 0u}) {  // the shorter one first
-    hdr::Frame frame{.name = "exposure", .exposure = v.input.at("exposure")[j].get<double>()};
+    std::vector<std::uint16_t> codes;
     for (const auto& value : v.input.at("pixel")[j])
-      frame.codes.push_back(static_cast<std::uint16_t>(std::lround(value.get<double>() * 256)));
-    stack.frames.push_back(std::move(frame));
+      codes.push_back(static_cast<std::uint16_t>(std::lround(value.get<double>() * 256)));
+    stack.frames.push_back(
+        {.name = "exposure", .exposure = v.input.at("exposure")[j].get<double>(), .codes = std::move(codes)});
   }
   const Image image = hdr::merge(stack, hdr::response_named("linear", 1, 257)).image;
   for (int x = 0; x < 2; ++x) v.expect_near(image.at(x, 0, 0), v.expected.at("radiance")[static_cast<std::size_t>(x)]);

@@ -8,6 +8,7 @@
 #include "lambert/base/file.h"
 #include "lambert/base/hash.h"
 #include "lambert/base/number.h"
+#include "lambert/image/formats/exif.h"
 #include "lambert/image/hdr/expose.h"
 #include "lambert/image/hdr/exposure.h"
 #include "lambert/image/io.h"
@@ -15,6 +16,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 
@@ -66,16 +68,14 @@ std::string numbered(const std::string& pattern, std::size_t i) {
   return pattern.substr(0, at) + fmt::format("{:02}", i) + pattern.substr(at + 2);
 }
 
-void write_photograph(const std::string& path, const DisplayImage& image) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  if (image.words.empty() && extension == ".png")
-    write_atomically(path, encode_png(image));
-  else if (image.words.empty() && (extension == ".jpg" || extension == ".jpeg"))
-    write_atomically(path, encode_jpeg(image));
-  else if (!image.words.empty() && (extension == ".tif" || extension == ".tiff"))
-    write_atomically(path, encode_tiff(image));
-  else
-    throw Error(path + ": expected .png or .jpg for photographs of 8 bits, .tif for 16 bits");
+using Encoder = std::vector<std::byte> (*)(const DisplayImage&, const WriteOptions&);
+Encoder encoder_for(const std::string& path, int bits) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension == ".png") return encode_png;
+  if (extension == ".tif" || extension == ".tiff") return encode_tiff;
+  if (bits == 8 && (extension == ".jpg" || extension == ".jpeg")) return encode_jpeg;
+  throw Error(path + ": expected .png, .tif or, for 8 bits, .jpg");
 }
 
 int run(const Options& o) {
@@ -84,6 +84,7 @@ int run(const Options& o) {
     throw Error("--output: expected a name with {} for the number of the photograph, such as shot_{}.png");
   const double time = o.time.empty() ? 1 : hdr::parse_exposure_time(o.time, "--time");
   if (!o.list.empty()) check_writable(o.list);
+  const Encoder encode = encoder_for(o.output, o.bits);
   const Image map = read_image(o.map);
   const hdr::Response response = hdr::response_named(o.response, map.has_colour() ? 3 : 1, 65536);
   std::string list = "# filename exposure_time_s   (pixel = floor(top f(min(1, L t)) + 0.5), f = " + o.response + ")\n";
@@ -98,7 +99,9 @@ int run(const Options& o) {
       settings.move = o.shake * Vec2d(random(0), random(1));
       settings.turn = o.turn * random(2) * 0.017453292519943295;
     }
-    write_photograph(path, hdr::expose(map, response, settings));
+    DisplayImage photograph = hdr::expose(map, response, settings);
+    photograph.exif = Exif{.exposure_time = settings.exposure};
+    write_atomically(path, encode(photograph, {}));
     print_path(path);
     list += std::filesystem::path(path).filename().string() + " ";
     append_number(list, static_cast<float>(settings.exposure));
@@ -116,7 +119,7 @@ int run(const Options& o) {
 std::function<int()> add_hdr_expose(CLI::App& app) {
   static Options o;
   app.add_option("map", o.map, "Radiance map")->type_name("FILE")->required();
-  app.add_option("-o,--output", o.output, "Photograph: .png or .jpg, .tif for 16 bits; {} is its number in a series")
+  app.add_option("-o,--output", o.output, "Photograph: .png, .tif or .jpg (8 bits); {} is its number in a series")
       ->type_name("FILE")
       ->required();
   app.add_option("--time", o.time, "Exposure; radiance 1 / time just saturates (default 1)")->type_name("T");

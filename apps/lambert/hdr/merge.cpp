@@ -24,7 +24,7 @@ namespace {
 struct Options {
   StackOptions stack;
   RecoveryOptions recovery;
-  std::string output, response_out, plot, weights = "variance", ghosts = "auto";
+  std::string output, response_out, plot, weights = "variance", ghosts = "auto", compression = "piz";
   hdr::SensorNoise noise;
   hdr::GhostSettings ghost;
   double scale = 1;
@@ -98,7 +98,7 @@ int run(const Options& o) {
                                   {.weights = weights, .code_noise = recovery.noise, .noise = o.noise}, masks);
   if (o.scale != 1)
     for (float& v : merged.image.pixels()) v *= static_cast<float>(o.scale);
-  write_image(o.output, merged.image);
+  write_image(o.output, merged.image, {.compression = parse_compression(o.compression)});
   std::vector<std::string> written{o.output};
   if (!o.response_out.empty()) {
     write_atomically(o.response_out, hdr::response_csv(recovery.response, hdr::ResponseTable::by_exposure));
@@ -145,6 +145,9 @@ std::function<int()> add_hdr_merge(CLI::App& app) {
       {.expected = "a number above 0", .low = 1e-6});
   expect_number(app.add_option("--scale", o.scale, "Multiply the radiance by this")->capture_default_str(),
                 {.expected = "a number above 0", .low = 1e-30});
+  app.add_option("--compression", o.compression, "Of OpenEXR files; piz suits the grain of photographs")
+      ->check(CLI::IsMember(compression_words()))
+      ->capture_default_str();
   app.add_flag("--json", o.json, "Print what was found as JSON");
   app.add_flag("-q,--quiet", o.quiet, "Say nothing but errors");
   app.footer(

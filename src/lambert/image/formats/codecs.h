@@ -2,6 +2,7 @@
 /// One pair of functions per file format; image/io.cpp chooses. Decoders take bytes, so that they also serve embedded
 /// images and fuzzing. They throw Error "name: reason", and check sizes before they allocate.
 
+#include "lambert/image/formats/exif.h"
 #include "lambert/image/image.h"
 #include "lambert/image/io.h"
 #include "lambert/image/primaries.h"
@@ -48,6 +49,7 @@ struct DisplayImage {
   std::vector<std::uint16_t> words;  ///< instead of bytes, for 16 bits
   std::vector<float> floats;         ///< instead of either
   std::map<std::string, std::string> metadata;
+  std::optional<Exif> exif;  ///< PNG and JPEG keep what exif_block() does
 };
 std::vector<std::byte> encode_png(const DisplayImage& image, const WriteOptions& options = {});
 std::vector<std::byte> encode_jpeg(const DisplayImage& image, const WriteOptions& options = {});

@@ -162,4 +162,59 @@ std::optional<Exif> read_exif(Bytes file) {
   return read_tiff(file);
 }
 
+namespace {
+
+struct Rational {
+  std::uint32_t numerator, denominator;
+};
+
+/// The nearest with a denominator, or for what is below 1 a numerator, of 10^6; 1/t for the times that cameras show as
+/// such. None when it does not fit.
+std::optional<Rational> rational(double value) {
+  constexpr double largest = 4294967295.0, fine = 1e6;
+  if (!(value > 1 / largest && value < largest)) return std::nullopt;
+  const auto word = [](double v) { return static_cast<std::uint32_t>(std::llround(v)); };
+  if (value <= 1 && std::abs(std::round(1 / value) * value - 1) < 1e-9) return Rational{1, word(1 / value)};
+  const double scale = std::min(fine, std::floor(largest / std::max(value, 1 / value)));
+  return value < 1 ? Rational{word(scale), word(scale / value)} : Rational{word(value * scale), word(scale)};
+}
+
+class BlockWriter {
+ public:
+  void u16(std::uint32_t v) { number(v, 2); }
+  void u32(std::uint32_t v) { number(v, 4); }
+  std::vector<std::byte> bytes;
+
+ private:
+  void number(std::uint32_t v, int size) {
+    for (int i = 0; i < size; ++i) bytes.push_back(static_cast<std::byte>(v >> (8 * i)));
+  }
+};
+
+}  // namespace
+
+std::vector<std::byte> exif_block(const Exif& exif) {
+  const auto time = rational(exif.exposure_time.value_or(0)), aperture = rational(exif.f_number.value_or(0));
+  const double iso = std::round(exif.iso.value_or(0));
+  const bool has_iso = iso >= 1 && iso < 65535;
+  const std::uint32_t entries = (time ? 1u : 0u) + (aperture ? 1u : 0u) + (has_iso ? 1u : 0u);
+  constexpr std::uint32_t first = 8, second = first + 2 + 12 + 4;
+  std::uint32_t values = second + 2 + 12 * entries + 4;
+  BlockWriter out;
+  out.u32(0x002a4949), out.u32(first);
+  const auto entry = [&](Tag tag, std::uint32_t type, std::uint32_t value) {
+    out.u16(tag), out.u16(type), out.u32(1), out.u32(value);
+  };
+  const auto rational_entry = [&](Tag tag) { entry(tag, 5, values), values += 8; };
+  out.u16(1), entry(exif_directory, 4, second), out.u32(0);
+  out.u16(entries);
+  if (time) rational_entry(exposure_time);
+  if (aperture) rational_entry(f_number);
+  if (has_iso) entry(iso_speed, 3, static_cast<std::uint32_t>(iso));
+  out.u32(0);
+  for (const auto& r : {time, aperture})
+    if (r) out.u32(r->numerator), out.u32(r->denominator);
+  return std::move(out.bytes);
+}
+
 }  // namespace lambert

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace lambert {
 
@@ -16,5 +17,9 @@ struct Exif {
 /// The Exif data of a JPEG (APP1), PNG (eXIf), WebP (EXIF) or TIFF file in memory; none when it has none or it is
 /// damaged beyond its first entry. Values that make no sense (zero, negative, not finite) are left out.
 std::optional<Exif> read_exif(std::span<const std::byte> file);
+
+/// The TIFF structure that holds exposure time, f-number and speed as far as they are known and representable:
+/// rationals of 32 bits, a speed of 16. It stands as it is in PNG's eXIf, and behind "Exif\0\0" in JPEG's APP1.
+std::vector<std::byte> exif_block(const Exif& exif);
 
 }  // namespace lambert

@@ -1,6 +1,7 @@
 #include "lambert/image/formats/exif.h"
 
 #include "damage.h"
+#include "lambert/image/formats/codecs.h"
 #include "lambert/image/image_test_tools.h"
 
 #include <gtest/gtest.h>
@@ -102,6 +103,31 @@ TEST(Exif, WhatMakesNoSenseIsLeftOut) {
   const auto found = read_exif(bytes_of(std::string("II*\0\x08\0\0\0", 8) + d.text()));
   ASSERT_TRUE(found);
   EXPECT_FALSE(found->exposure_time || found->f_number || found->iso);
+}
+
+TEST(Exif, BlocksAreReadBack) {
+  for (const double time : {1.0 / 8000, 1.0 / 125, 1.0 / 64, 0.3, 1.0, 2.5, 30.0, 1e-6, 3e8}) {
+    const auto found = read_exif(exif_block({.exposure_time = time, .f_number = 5.6, .iso = 400}));
+    ASSERT_TRUE(found && found->exposure_time) << time;
+    EXPECT_NEAR(*found->exposure_time / time, 1, 1e-6);
+    EXPECT_EQ(found->f_number, 5.6);
+    EXPECT_EQ(found->iso, 400.0);
+  }
+  const auto none = read_exif(exif_block({.exposure_time = 1e-12, .f_number = -1, .iso = 1e9}));
+  ASSERT_TRUE(none);
+  EXPECT_FALSE(none->exposure_time || none->f_number || none->iso);
+}
+
+TEST(Exif, PngAndJpegKeepIt) {
+  const DisplayImage image{
+      .width = 2, .height = 1, .channels = 1, .bytes = {7, 200}, .exif = Exif{.exposure_time = 1.0 / 60}};
+  for (const auto& file : {encode_png(image), encode_jpeg(image)}) {
+    const auto found = read_exif(file);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->exposure_time, 1.0 / 60);
+    EXPECT_EQ(decode_texels(file, "file").width, 2);
+    EXPECT_EQ(decode_image(file, "file").attributes.at("expTime").type, "float");
+  }
 }
 
 TEST(Exif, NoneWithoutIt) {

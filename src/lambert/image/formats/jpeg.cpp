@@ -4,6 +4,7 @@
 // jpeglib.h needs FILE declared before it.
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 #include <jpeglib.h>
 
@@ -111,6 +112,15 @@ std::vector<std::byte> encode_jpeg(const DisplayImage& image, const WriteOptions
   jpeg_set_defaults(&info);
   jpeg_set_quality(&info, options.quality.value_or(92), TRUE);
   jpeg_start_compress(&info, TRUE);
+  if (image.exif) {
+    constexpr char kind[6] = {'E', 'x', 'i', 'f', 0, 0};
+    std::vector<std::byte> segment(sizeof kind);
+    std::memcpy(segment.data(), kind, sizeof kind);
+    const std::vector<std::byte> block = exif_block(*image.exif);
+    segment.insert(segment.end(), block.begin(), block.end());
+    jpeg_write_marker(&info, JPEG_APP0 + 1, reinterpret_cast<const JOCTET*>(segment.data()),
+                      static_cast<unsigned>(segment.size()));
+  }
   const std::size_t row_size = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
   while (info.next_scanline < info.image_height) {
     JSAMPROW row = const_cast<JSAMPROW>(image.bytes.data()) + info.next_scanline * row_size;

@@ -141,6 +141,9 @@ std::vector<std::byte> encoded(const DisplayImage& image, std::size_t first, std
     if (!key.empty() && key.size() < 80) texts.push_back(text);
   }
   png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
+  std::vector<std::byte> exif = image.exif ? exif_block(*image.exif) : std::vector<std::byte>();
+  if (image.exif)
+    png_set_eXIf_1(png, info, static_cast<png_uint_32>(exif.size()), reinterpret_cast<png_bytep>(exif.data()));
   png_write_info(png, info);
   png_set_swap(png);  // of 16 bits, from the machine's order
   const std::size_t row = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);

@@ -58,8 +58,8 @@ Motion inverse(const Motion& m) {
   return {{-c * m.shift.x - s * m.shift.y, s * m.shift.x - c * m.shift.y}, -m.turn};
 }
 
-std::uint16_t interpolated(const ExposureStack& stack, const std::vector<std::uint16_t>& codes, Vec2d at,
-                           std::size_t c) {
+template <class Code>
+Code interpolated(const ExposureStack& stack, const std::vector<Code>& codes, Vec2d at, std::size_t c) {
   const int x = std::min(static_cast<int>(at.x), std::max(stack.width - 2, 0));
   const int y = std::min(static_cast<int>(at.y), std::max(stack.height - 2, 0));
   const double u = at.x - x, v = at.y - y;
@@ -69,13 +69,15 @@ std::uint16_t interpolated(const ExposureStack& stack, const std::vector<std::ui
         codes[static_cast<std::size_t>(py) * stack.row_size() + static_cast<std::size_t>(px) * stack.channels + c]);
   };
   const double a = code(x, y), b = code(x + 1, y), d = code(x, y + 1), e = code(x + 1, y + 1);
-  if (std::max({a, b, d, e}) >= stack.levels - 1) return static_cast<std::uint16_t>(stack.levels - 1);
-  return static_cast<std::uint16_t>(std::lround(std::lerp(std::lerp(a, b, u), std::lerp(d, e, u), v)));
+  if (std::max({a, b, d, e}) >= stack.levels - 1) return static_cast<Code>(stack.levels - 1);
+  return static_cast<Code>(std::lerp(std::lerp(a, b, u), std::lerp(d, e, u), v) + 0.5);
 }
 
-void move_frame(ExposureStack& stack, Frame& frame, const Motion& motion) {
-  const std::vector<std::uint16_t> from = std::move(frame.codes);
-  frame.codes.assign(from.size(), 0);
+template <class Code>
+void move_frame(const ExposureStack& stack, Frame& frame, const Motion& motion) {
+  auto& codes = std::get<std::vector<Code>>(frame.codes);
+  const std::vector<Code> from = std::move(codes);
+  codes.assign(from.size(), 0);
   frame.covered.assign(static_cast<std::size_t>(stack.height), Span{});
   const double cx = 0.5 * (stack.width - 1), cy = 0.5 * (stack.height - 1);
   const double cosine = std::cos(motion.turn), sine = std::sin(motion.turn);
@@ -88,7 +90,7 @@ void move_frame(ExposureStack& stack, Frame& frame, const Motion& motion) {
       if (covered.end == 0) covered.begin = x;
       covered.end = x + 1;
       for (std::size_t c = 0; c < stack.channels; ++c)
-        frame.codes[row * stack.row_size() + static_cast<std::size_t>(x) * stack.channels + c] =
+        codes[row * stack.row_size() + static_cast<std::size_t>(x) * stack.channels + c] =
             interpolated(stack, from, at, c);
     }
     frame.covered[row] = covered;
@@ -129,7 +131,8 @@ std::vector<Motion> find_motions(const ExposureStack& stack, std::size_t referen
 
 void move_back(ExposureStack& stack, const std::vector<Motion>& motions) {
   for (std::size_t j = 0; j < stack.frames.size(); ++j)
-    if (!motions[j].still()) move_frame(stack, stack.frames[j], motions[j]);
+    if (!motions[j].still())
+      stack.with_code_type([&]<class Code>(Code) { move_frame<Code>(stack, stack.frames[j], motions[j]); });
 }
 
 }  // namespace lambert::hdr

@@ -101,11 +101,11 @@ TEST_F(Exposure, ReadsCodesAsTheyAre) {
   const ExposureStack eight = read_stack({name("a.png")}, {1});
   EXPECT_EQ(eight.levels, 256);
   EXPECT_EQ(eight.channels, 1u);
-  EXPECT_EQ(eight.frames[0].codes, (std::vector<std::uint16_t>{0, 255, 0, 0, 0, 128}));
+  EXPECT_EQ(std::get<0>(eight.frames[0].codes), (std::vector<std::uint8_t>{0, 255, 0, 0, 0, 128}));
   const ExposureStack mixed = read_stack({name("a.png"), name("b.tif")}, {1, 2});
   EXPECT_EQ(mixed.levels, 65536);
-  EXPECT_EQ(mixed.frames[0].codes[5], 128 * 257);
-  EXPECT_NEAR(mixed.frames[1].codes[5], 128 * 257, 2);
+  EXPECT_EQ(mixed.codes<std::uint16_t>(0)[5], 128 * 257);
+  EXPECT_NEAR(mixed.codes<std::uint16_t>(1)[5], 128 * 257, 2);
   EXPECT_THROW(read_stack({name("a.png"), name("c.png")}, {1, 2}), Error);
   EXPECT_THROW(read_stack({name("a.png"), name("d.png")}, {1, 2}), Error);
   EXPECT_THROW(read_stack({name("e.exr")}, {1}), Error);

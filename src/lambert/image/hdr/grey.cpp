@@ -12,14 +12,17 @@ Grey grey_of(const ExposureStack& stack, std::size_t frame) {
   grey.pixels.resize(static_cast<std::size_t>(stack.width) * static_cast<std::size_t>(stack.height));
   const auto width = static_cast<std::size_t>(stack.width);
   const bool colour = stack.channels == 3, wide = stack.levels > 256;
-  parallel_for(static_cast<std::size_t>(stack.height), [&](std::size_t y) {
-    const std::uint16_t* codes = stack.row(frame, static_cast<int>(y));
-    for (std::size_t x = 0; x < width; ++x) {
-      const std::uint32_t sum =
-          colour ? (54u * codes[3 * x] + 183u * codes[3 * x + 1] + 19u * codes[3 * x + 2]) / 256u : codes[x];
-      grey.pixels[y * width + x] = static_cast<std::uint8_t>(
-          wide ? static_cast<std::uint32_t>(std::sqrt(static_cast<float>(sum) * (255.0f * 255.0f / 65535.0f))) : sum);
-    }
+  stack.with_code_type([&]<class Code>(Code) {
+    parallel_for(static_cast<std::size_t>(stack.height), [&](std::size_t y) {
+      const Code* codes = stack.row<Code>(frame, static_cast<int>(y));
+      std::uint8_t* to = grey.pixels.data() + y * width;
+      for (std::size_t x = 0; x < width; ++x) {
+        const std::uint32_t sum =
+            colour ? (54u * codes[3 * x] + 183u * codes[3 * x + 1] + 19u * codes[3 * x + 2]) / 256u : codes[x];
+        to[x] = static_cast<std::uint8_t>(
+            wide ? static_cast<std::uint32_t>(std::sqrt(static_cast<float>(sum) * (255.0f * 255.0f / 65535.0f))) : sum);
+      }
+    });
   });
   return grey;
 }

@@ -3,6 +3,7 @@
 
 #include "lambert/image/hdr/expose.h"
 #include "lambert/image/hdr/stack.h"
+#include "lambert/image/io.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,7 @@ inline ExposureStack photographs(const std::vector<const Image*>& maps, const st
     const DisplayImage d = expose(*maps[i % maps.size()], camera, settings[i]);
     Frame frame{.name = "photograph " + std::to_string(i), .exposure = settings[i].exposure};
     if (settings[i].bits == 8)
-      frame.codes.assign(d.bytes.begin(), d.bytes.end());
+      frame.codes = d.bytes;
     else
       frame.codes = d.words;
     stack.frames.push_back(std::move(frame));
@@ -54,6 +55,18 @@ inline ExposureStack photographs(const Image& map, const std::string& response, 
   for (const double e : exposures)
     settings.push_back({.exposure = e, .noise = noise, .bits = bits, .seed = settings.size() + 1});
   return photographs(std::vector<const Image*>{&map}, response, settings);
+}
+
+/// The same photographs after JPEG has kept them, with its colours at half resolution.
+inline ExposureStack through_jpeg(ExposureStack stack) {
+  for (Frame& frame : stack.frames) {
+    const DisplayImage d{.width = stack.width,
+                         .height = stack.height,
+                         .channels = static_cast<int>(stack.channels),
+                         .bytes = std::get<0>(frame.codes)};
+    frame.codes = decode_texels(encode_jpeg(d), frame.name).bytes;
+  }
+  return stack;
 }
 
 inline double median_of(std::vector<double> values) {
@@ -79,7 +92,9 @@ inline double radiance_error(const ExposureStack& stack, const Image& merged, co
       for (std::size_t c = 0; c < stack.channels; ++c) {
         int usable = 0;
         for (std::size_t j = 0; j < stack.frames.size(); ++j) {
-          const int z = stack.row(j, y)[static_cast<std::size_t>(x) * stack.channels + c];
+          const int z = stack.with_code_type([&]<class Code>(Code) {
+            return static_cast<int>(stack.row<Code>(j, y)[static_cast<std::size_t>(x) * stack.channels + c]);
+          });
           usable += z > 0 && z < stack.levels - 1;
         }
         const float found = merged.at(x, y, c), known = truth.at(x, y, c);

@@ -13,6 +13,7 @@ struct SymmetricMatrix {
   double& at(std::size_t row, std::size_t column) { return entries[row * size + column]; }  ///< row >= column
   double at(std::size_t row, std::size_t column) const { return entries[row * size + column]; }
   double full(std::size_t i, std::size_t j) const { return i >= j ? at(i, j) : at(j, i); }
+  std::vector<double> times(const std::vector<double>& x) const;
 };
 
 /// The x of a x = b by Cholesky's decomposition; none when `a` is not positive definite as far as doubles can tell.

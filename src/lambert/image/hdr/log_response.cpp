@@ -19,12 +19,9 @@ Knots::Knots(int levels) : below(static_cast<std::size_t>(levels)), fraction(bel
 }
 
 double LogEquations::misfit(const std::vector<double>& g) const {
+  const std::vector<double> explained = a.times(g);
   double sum = c;
-  for (std::size_t i = 0; i < g.size(); ++i) {
-    double row = 0;
-    for (std::size_t j = 0; j < i; ++j) row += a.at(i, j) * g[j];
-    sum += g[i] * (2 * row + a.at(i, i) * g[i] - 2 * b[i]);
-  }
+  for (std::size_t i = 0; i < g.size(); ++i) sum += g[i] * (explained[i] - 2 * b[i]);
   return sum;
 }
 

@@ -6,7 +6,9 @@
 #include "lambert/image/hdr/samples.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace lambert::hdr {
 namespace {
@@ -20,14 +22,10 @@ constexpr Name names[] = {{"variance", Weighting::variance},
                           {"gaussian", Weighting::gaussian},
                           {"robertson", Weighting::robertson}};
 
-struct Entry {
-  float weight = 0, weighted = 0;  // u and u X
-};
-
 /// What the codes of one channel count and mean; a frame's weight is u(code) exposure^power.
 struct ChannelTable {
-  std::vector<Entry> entries;
-  std::vector<float> rounding;  // variance of X that rounding to codes makes
+  std::vector<float> weight, weighted;  // u and u X
+  std::vector<float> rounding;          // variance of X that rounding to codes makes
   const std::vector<float>* exposure = nullptr;
   UsableCodes usable;
 };
@@ -66,26 +64,44 @@ ChannelTable table_for(const ExposureStack& stack, const Response& response, std
     u[code] *= std::min(1.0, (usable.saturated - z) / (0.04 * top));
     largest = std::max(largest, u[code]);
   }
-  t.entries.resize(x.size());
+  t.weight.resize(x.size()), t.weighted.resize(x.size());
   for (std::size_t code = 0; code < x.size() && largest > 0; ++code) {
     const double w = u[code] / largest;
-    t.entries[code] = {static_cast<float>(w), static_cast<float>(w * static_cast<double>(x[code]))};
+    t.weight[code] = static_cast<float>(w), t.weighted[code] = static_cast<float>(w * static_cast<double>(x[code]));
   }
   return t;
 }
 
 double power_of(Weighting w) { return w == Weighting::variance || w == Weighting::robertson ? 2 : 0; }
 
+/// Of a frame's u and u X, and its exposure.
+struct Scale {
+  float weight, weighted, exposure;
+};
+
 class Merger {
  public:
   Merger(const ExposureStack& stack, const Response& response, const MergeSettings& settings, const GhostMasks& ghosts)
       : stack_(stack), settings_(settings), ghosts_(ghosts) {
-    for (std::size_t c = 0; c < stack.channels; ++c) tables_.push_back(table_for(stack, response, c, settings));
+    for (std::size_t c = 0; c < stack.channels; ++c) {
+      const ChannelTable& t = tables_.emplace_back(table_for(stack, response, c, settings));
+      weights_.insert(weights_.end(), t.weight.begin(), t.weight.end());
+      weighted_.insert(weighted_.end(), t.weighted.begin(), t.weighted.end());
+      // Far below saturation it is motion that makes a shorter exposure say more.
+      const int top = t.usable.saturated, doubted = top - stack.levels / 4;
+      const float most = 1.2f * (*t.exposure)[static_cast<std::size_t>(top)];
+      for (int code = 0; code < stack.levels; ++code)
+        limits_.push_back(code >= doubted ? most : std::numeric_limits<float>::max());
+      scattered_ |= t.usable.scattered;
+    }
+    for (std::size_t i = 0; i < stack.row_size(); ++i)
+      offset_.push_back(static_cast<std::int32_t>(i % stack.channels) * stack.levels);
     const double power = power_of(settings.weights), longest = stack.frames.back().exposure;
     for (const Frame& frame : stack.frames) {
       const double relative = frame.exposure / longest;
-      weight_scale_.push_back(static_cast<float>(std::pow(relative, power)));
-      value_scale_.push_back(static_cast<float>(std::pow(relative, power) / frame.exposure));
+      const double weight = std::pow(relative, power);
+      scale_.push_back({static_cast<float>(weight), static_cast<float>(weight / frame.exposure),
+                        static_cast<float>(frame.exposure)});
     }
   }
 
@@ -93,60 +109,96 @@ class Merger {
     std::size_t saturated = 0, black = 0;
   };
 
+  template <class Code>
   Counts row(int y, std::span<float> out) const {
-    const std::size_t n = stack_.channels;
+    const std::size_t n = stack_.channels, frames = stack_.frames.size();
+    std::vector<std::vector<Code>> partly(frames);
+    std::vector<const Code*> codes(frames);
     std::vector<float> weight(out.size());
     std::fill(out.begin(), out.end(), 0.0f);
-    for (std::size_t j = 0; j < stack_.frames.size(); ++j) {
-      const Span covered = stack_.covered(j, y);
-      const std::uint16_t* codes = stack_.row(j, y);
-      const std::uint8_t* rejected = ghosts_.row(j, y, stack_.width);
-      for (std::size_t c = 0; c < n; ++c) {
-        const Entry* entries = tables_[c].entries.data();
-        const float ws = weight_scale_[j], vs = value_scale_[j];
-        const auto add = [&](std::size_t i, float use) {
-          const Entry e = entries[codes[i]];
-          weight[i] += use * ws * e.weight;
-          out[i] += use * vs * e.weighted;
-        };
-        const std::size_t begin = static_cast<std::size_t>(covered.begin), end = static_cast<std::size_t>(covered.end);
-        if (!rejected)
-          for (std::size_t x = begin; x < end; ++x) add(x * n + c, 1);
-        else
-          for (std::size_t x = begin; x < end; ++x) add(x * n + c, rejected[x] ? 0.0f : 1.0f);
-      }
-    }
+    for (std::size_t j = 0; j < frames; ++j) codes[j] = used_codes(j, y, partly[j]);
+    if (scattered_)
+      add<true>(codes, weight.data(), out);
+    else
+      add<false>(codes, weight.data(), out);
     Counts counts;
-    for (std::size_t x = 0; x < out.size() / n; ++x) {
-      bool saturated = false, black = false;
-      for (std::size_t c = 0; c < n; ++c) {
-        const std::size_t i = x * n + c;
-        if (weight[i] > 0)
-          out[i] /= weight[i];
-        else
-          out[i] = without_weight(static_cast<int>(x), y, c, saturated, black);
+    bool all = true;
+    for (const float w : weight) all &= w > 0;
+    if (all)
+      for (std::size_t i = 0; i < out.size(); ++i) out[i] /= weight[i];
+    else
+      for (std::size_t x = 0; x < out.size() / n; ++x) {
+        bool saturated = false, black = false;
+        for (std::size_t i = x * n, c = 0; c < n; ++i, ++c)
+          out[i] =
+              weight[i] > 0 ? out[i] / weight[i] : without_weight<Code>(static_cast<int>(x), y, c, saturated, black);
+        counts.saturated += saturated, counts.black += black && !saturated;
       }
-      counts.saturated += saturated, counts.black += black && !saturated;
-    }
-    if (settings_.weights == Weighting::variance && settings_.noise.full_well > 0) refine(y, out);
+    if (settings_.weights == Weighting::variance && settings_.noise.full_well > 0) refine(codes, out);
     return counts;
   }
 
  private:
+  /// The sums over frames of u and u X. Of a lossy stack, if `doubting`, a frame has no share where the shorter
+  /// exposures say that it is saturated.
+  template <bool doubting, class Code>
+  void add(const std::vector<const Code*>& codes, float* weight, std::span<float> weighted) const {
+    std::size_t j = 0;
+    for (; j + 4 <= codes.size(); j += 4) add_frames<4, doubting>(&codes[j], &scale_[j], weight, weighted);
+    for (; j + 2 <= codes.size(); j += 2) add_frames<2, doubting>(&codes[j], &scale_[j], weight, weighted);
+    for (; j < codes.size(); ++j) add_frames<1, doubting>(&codes[j], &scale_[j], weight, weighted);
+  }
+
+  /// Of `n` frames at a time: the sums are loaded and stored that many times less. `offset_` says where the entries of
+  /// each channel begin.
+  template <std::size_t n, bool doubting, class Code>
+  void add_frames(const Code* const* codes, const Scale* scales, float* weight, std::span<float> weighted) const {
+    const float *u = weights_.data(), *ux = weighted_.data(), *limit = limits_.data();
+    const std::int32_t* offset = offset_.data();
+    std::array<const Code*, n> code;
+    std::array<Scale, n> scale;
+    std::copy_n(codes, n, code.begin());
+    std::copy_n(scales, n, scale.begin());
+    for (std::size_t i = 0; i < weighted.size(); ++i) {
+      float w = weight[i], wx = weighted[i];
+      for (std::size_t j = 0; j < n; ++j) {
+        const auto entry = static_cast<std::size_t>(code[j][i] + offset[i]);
+        float use = 1;
+        if constexpr (doubting) use = wx * scale[j].exposure > w * limit[entry] ? 0.0f : 1.0f;
+        w += use * scale[j].weight * u[entry];
+        wx += use * scale[j].weighted * ux[entry];
+      }
+      weight[i] = w, weighted[i] = wx;
+    }
+  }
+
   bool shows(std::size_t frame, int x, int y) const {
     const Span covered = stack_.covered(frame, y);
     const std::uint8_t* rejected = ghosts_.row(frame, y, stack_.width);
     return x >= covered.begin && x < covered.end && !(rejected && rejected[x]);
   }
-  int code(std::size_t frame, int x, int y, std::size_t c) const {
-    return stack_.row(frame, y)[static_cast<std::size_t>(x) * stack_.channels + c];
+  /// A row's codes, with 0, which has no weight, where the frame is not to be used; `copy` holds them if they are not
+  /// the frame's own.
+  template <class Code>
+  const Code* used_codes(std::size_t frame, int y, std::vector<Code>& copy) const {
+    const Code* codes = stack_.row<Code>(frame, y);
+    const Span covered = stack_.covered(frame, y);
+    const std::uint8_t* rejected = ghosts_.row(frame, y, stack_.width);
+    if (!rejected && covered == Span{0, stack_.width}) return codes;
+    const std::size_t n = stack_.channels;
+    copy.resize(stack_.row_size());
+    for (auto x = static_cast<std::size_t>(covered.begin); x < static_cast<std::size_t>(covered.end); ++x)
+      for (std::size_t c = 0; c < n; ++c) copy[x * n + c] = rejected && rejected[x] ? Code{0} : codes[x * n + c];
+    return copy.data();
   }
 
   /// A channel of a pixel that no photograph shows within its range.
+  template <class Code>
   float without_weight(int x, int y, std::size_t c, bool& saturated, bool& black) const {
     const ChannelTable& t = tables_[c];
+    const std::size_t i = static_cast<std::size_t>(x) * stack_.channels + c;
     for (std::size_t j = 0; j < stack_.frames.size(); ++j)
-      if (shows(j, x, y) && code(j, x, y, c) >= t.usable.saturated) {
+      if (shows(j, x, y) && stack_.row<Code>(j, y)[i] >= t.usable.saturated) {
         saturated = true;
         const double bound = static_cast<double>((*t.exposure)[static_cast<std::size_t>(t.usable.saturated)]);
         return static_cast<float>(bound / stack_.frames[j].exposure);
@@ -156,20 +208,19 @@ class Merger {
   }
 
   /// Granados et al. 2010: the variances that the mean so far predicts, not those that each noisy code does. Two turns.
-  void refine(int y, std::span<float> out) const {
+  template <class Code>
+  void refine(const std::vector<const Code*>& codes, std::span<float> out) const {
     const double read = settings_.noise.read_noise / settings_.noise.full_well;
     const float gain = static_cast<float>(1 / settings_.noise.full_well), floor = static_cast<float>(read * read);
     for (int turn = 0; turn < 2; ++turn)
       for (std::size_t i = 0; i < out.size(); ++i) {
-        const std::size_t c = i % stack_.channels;
-        const int x = static_cast<int>(i / stack_.channels);
-        const ChannelTable& t = tables_[c];
+        const ChannelTable& t = tables_[i % stack_.channels];
         float sum = 0, weights = 0;
-        for (std::size_t j = 0; j < stack_.frames.size(); ++j) {
-          if (!shows(j, x, y)) continue;
-          const auto z = static_cast<std::size_t>(code(j, x, y, c));
-          if (!(t.entries[z].weight > 0)) continue;
+        for (std::size_t j = 0; j < codes.size(); ++j) {
+          const std::size_t z = codes[j][i];
           const auto h = static_cast<float>(stack_.frames[j].exposure);
+          const bool doubted = scattered_ && out[i] * h > limits_[z + static_cast<std::size_t>(offset_[i])];
+          if (!(t.weight[z] > 0) || doubted) continue;
           const float near_top = std::min(1.0f, static_cast<float>(t.usable.saturated - static_cast<int>(z)) /
                                                     (0.04f * static_cast<float>(stack_.levels - 1)));
           const float w = near_top * h * h / (gain * out[i] * h + floor + t.rounding[z]);
@@ -183,7 +234,11 @@ class Merger {
   const MergeSettings& settings_;
   const GhostMasks& ghosts_;
   std::vector<ChannelTable> tables_;
-  std::vector<float> weight_scale_, value_scale_;
+  std::vector<float> weights_, weighted_;  // of all channels, one behind the other
+  std::vector<float> limits_;              // exposures by shorter frames above which codes are those of saturation
+  bool scattered_ = false;
+  std::vector<std::int32_t> offset_;  // by place in a row
+  std::vector<Scale> scale_;          // by frame
 };
 
 }  // namespace
@@ -209,8 +264,10 @@ Merged merge(const ExposureStack& stack, const Response& response, const MergeSe
       .image = Image(stack.width, stack.height, stack.channels == 3 ? rgb_channels() : std::vector<std::string>{"Y"})};
   const Merger merger(stack, response, settings, ghosts);
   std::vector<Merger::Counts> counts(static_cast<std::size_t>(stack.height));
-  parallel_for(counts.size(), [&](std::size_t y) {
-    counts[y] = merger.row(static_cast<int>(y), merged.image.row(static_cast<int>(y)));
+  stack.with_code_type([&]<class Code>(Code) {
+    parallel_for(counts.size(), [&](std::size_t y) {
+      counts[y] = merger.row<Code>(static_cast<int>(y), merged.image.row(static_cast<int>(y)));
+    });
   });
   for (const auto& c : counts) merged.saturated += c.saturated, merged.black += c.black;
   std::string exposures;

@@ -4,6 +4,7 @@
 #include "lambert/base/parallel.h"
 #include "lambert/image/hdr/hdr_test_tools.h"
 #include "lambert/image/hdr/recover.h"
+#include "lambert/image/hdr/samples.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ namespace {
 const std::vector<double> five{1.0 / 64, 1.0 / 16, 0.25, 1, 4};
 
 /// One row of pixels with these codes; exposures 1, 2, 4 …
-ExposureStack row_of(const std::vector<std::vector<std::uint16_t>>& frames) {
+ExposureStack row_of(const std::vector<std::vector<std::uint8_t>>& frames) {
   ExposureStack stack{.width = static_cast<int>(frames[0].size()), .height = 1, .channels = 1};
   double exposure = 1;
   for (const auto& codes : frames)
@@ -74,6 +75,36 @@ TEST(Merge, LeavesOutWhatIsNotCoveredOrRejected) {
   EXPECT_FLOAT_EQ(image.at(0, 0, 0), 50 / 255.0f);
   EXPECT_GT(image.at(1, 0, 0), 60 / 255.0f);  // near the 100 / 255 of the longer exposure
   EXPECT_FLOAT_EQ(image.at(2, 0, 0), 50 / 255.0f);
+}
+
+// rows: LF-11
+// JPEG scatters what was saturated to codes below the top: taken for values, they would darken lamps, and by channel.
+TEST(Merge, ColouredLampsKeepTheirLightThroughJpeg) {
+  Image map = test_map(192, 144);
+  for (float& v : map.pixels()) v *= 0.02f;
+  const int side = 6, step = 16;
+  for (int y = 4; y + side < map.height(); y += step)
+    for (int x = 4; x + side < map.width(); x += step)
+      for (int i = 0; i < side * side; ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+          map.at(x + i % side, y + i / side, c) = static_cast<std::size_t>(x / step + y / step) % 3 == c ? 24.0f : 6.0f;
+  const ExposureStack stack = through_jpeg(photographs(map, "srgb", five));
+  EXPECT_TRUE(usable_codes(stack, 0).scattered);
+  const Recovery r = recover_response(stack);
+  EXPECT_EQ(r.model, "srgb");
+  const Image merged = merge(stack, r.response, {.code_noise = r.noise}).image;
+  double found[3] = {}, known[3] = {};
+  for (std::size_t i = 0; i < map.pixels().size(); ++i)
+    found[i % 3] += static_cast<double>(merged.pixels()[i]), known[i % 3] += static_cast<double>(map.pixels()[i]);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c] / known[c], 1, 0.12) << c;
+}
+
+TEST(Merge, PhotographsWithoutLossSaturateAtTheTopCode) {
+  const ExposureStack stack = photographs(test_map(192, 144), "srgb", five, 8, {.full_well = 20000, .read_noise = 5});
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_EQ(usable_codes(stack, c).saturated, 255);
+    EXPECT_FALSE(usable_codes(stack, c).scattered);
+  }
 }
 
 // rows: LF-11

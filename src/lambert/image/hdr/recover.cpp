@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 namespace lambert::hdr {
 namespace {
@@ -43,9 +44,13 @@ std::optional<std::string> shortcoming(const ExposureStack& stack, const Samples
     return std::nullopt;
   }
   std::size_t saturated = 0, black = 0, all = 0;
-  for (const Frame& frame : stack.frames)
-    for (std::size_t i = channel; i < frame.codes.size(); i += stack.channels, ++all)
-      saturated += frame.codes[i] >= samples.usable.saturated, black += frame.codes[i] <= samples.usable.black;
+  stack.with_code_type([&]<class Code>(Code) {
+    for (std::size_t j = 0; j < stack.frames.size(); ++j) {
+      const std::span<const Code> codes = stack.codes<Code>(j);
+      for (std::size_t i = channel; i < codes.size(); i += stack.channels, ++all)
+        saturated += codes[i] >= samples.usable.saturated, black += codes[i] <= samples.usable.black;
+    }
+  });
   if (saturated == all) return "everything is saturated";
   if (black == all) return "everything is black";
   return "only " + std::to_string(samples.count()) +
@@ -131,9 +136,9 @@ CodeNoise measure_noise(const ExposureStack& stack, const Response& response) {
   if (stack.frames.size() < 2) return noise;
   const Knots knots(stack.levels);
   noise.deviation.resize(stack.channels);
+  const std::vector<Samples> samples = select_samples(stack);
   parallel_for(stack.channels, [&](std::size_t c) {
-    const Samples samples = select_samples(stack, c);
-    noise.deviation[c] = noise_table(noise_by_sixteenths(samples, knots, log_of(response.channel(c), knots)), knots);
+    noise.deviation[c] = noise_table(noise_by_sixteenths(samples[c], knots, log_of(response.channel(c), knots)), knots);
   });
   return noise;
 }
@@ -142,10 +147,12 @@ Recovery recover_response(const ExposureStack& stack, const RecoverySettings& se
   if (stack.frames.size() < 2) unsolvable("it takes two photographs or more");
   if (stack.frames.back().exposure < 1.01 * stack.frames.front().exposure) unsolvable("all exposures are equal");
   const Knots knots(stack.levels);
-  std::vector<Samples> samples(stack.channels);
+  const std::vector<Samples> samples = select_samples(stack);
+  Recovery recovery{.model = "recovered"};
+  recovery.response.name = "recovered";
+  recovery.response.exposure.resize(stack.channels), recovery.noise.deviation.resize(stack.channels);
   std::vector<LogRecovery> found(stack.channels, LogRecovery{.equations = LogEquations(0)});
-  parallel_for(stack.channels, [&](std::size_t c) {
-    samples[c] = select_samples(stack, c);
+  const auto solve = [&](std::size_t c) {
     if (const auto reason = shortcoming(stack, samples[c], c)) unsolvable(*reason);
     if (settings.method == RecoveryMethod::debevec) {
       found[c] = recover_debevec(samples[c], knots, settings.smoothness);
@@ -157,14 +164,13 @@ Recovery recover_response(const ExposureStack& stack, const RecoverySettings& se
                                              ? recover_robertson(samples[c], knots, found[c].g)
                                              : recover_mitsunaga(samples[c], knots);
     for (std::size_t k = 0; k < exposure.size(); ++k) found[c].g[k] = std::log(std::max(exposure[k], 1e-9));
+  };
+  parallel_for(stack.channels, [&](std::size_t c) {
+    solve(c);
+    recovery.noise.deviation[c] = noise_table(noise_by_sixteenths(samples[c], knots, found[c].g), knots);
+    recovery.response.exposure[c] = table_of(found[c].g, knots);
   });
-  Recovery recovery{.model = "recovered"};
-  recovery.response.name = "recovered";
-  for (std::size_t c = 0; c < stack.channels; ++c) {
-    recovery.samples += samples[c].count();
-    recovery.noise.deviation.push_back(noise_table(noise_by_sixteenths(samples[c], knots, found[c].g), knots));
-    recovery.response.exposure.push_back(table_of(found[c].g, knots));
-  }
+  for (const Samples& s : samples) recovery.samples += s.count();
   if (settings.method == RecoveryMethod::automatic)
     if (auto known = known_curve(found, samples, knots)) {
       recovery.model = known->name;

@@ -26,8 +26,8 @@ std::vector<double> fit_basis(const LogEquations& q, const Knots& knots) {
   std::vector<double> b(basis_size);
   for (std::size_t p = 0; p < basis_size; ++p) {
     std::vector<double> column(n);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j) column[i] += q.a.full(i, j) * phi[j][p];
+    for (std::size_t i = 0; i < n; ++i) column[i] = phi[i][p];
+    column = q.a.times(column);
     for (std::size_t r = p; r < basis_size; ++r)
       for (std::size_t i = 0; i < n; ++i) a.at(r, p) += phi[i][r] * column[i];
     for (std::size_t i = 0; i < n; ++i) b[p] += phi[i][p] * q.b[i];
@@ -65,8 +65,8 @@ std::vector<double> deviation(const LogEquations& q, const std::vector<double>& 
   const std::size_t n = g.size();
   SymmetricMatrix a = q.a;
   std::vector<double> rhs = q.b;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) rhs[i] -= q.a.full(i, j) * g[j];
+  const std::vector<double> explained = q.a.times(g);
+  for (std::size_t i = 0; i < n; ++i) rhs[i] -= explained[i];
   std::vector<double> weight(n);
   for (std::size_t k = 0; k < n; ++k) {
     const double spread = 2.5e-5 * std::pow(std::max(1.0, 20.0 / static_cast<double>(k + 1)), 2);
@@ -112,6 +112,22 @@ constexpr std::size_t noise_bins = 16;
 std::size_t bin_of(const Knots& knots, std::size_t code) { return knots.below[code] * noise_bins / knots.count(); }
 const double rounding_noise = std::sqrt(1.0 / 12);
 
+/// Leaves out codes of pixels that shorter exposures say are saturated: lossy compression scatters these below the code
+/// that counts as saturated, and among the highest codes they are the most.
+void leave_out_saturated(const Samples& s, const Knots& knots, const std::vector<double>& g,
+                         std::vector<double>& weights) {
+  constexpr double clearly = 0.1;  // ln exposure
+  const double saturated = knots.eval(g, static_cast<std::size_t>(s.usable.saturated));
+  for (std::size_t i = 0; i < s.count(); ++i) {
+    double total = 0, mean = 0;
+    for (std::size_t j = 0; j < s.frames; ++j) {
+      double& w = weights[i * s.frames + j];
+      if (total > 0 && mean / total + s.log_exposures[j] > saturated + clearly) w = 0;
+      total += w, mean += w * (knots.eval(g, s.codes[i * s.frames + j]) - s.log_exposures[j]);
+    }
+  }
+}
+
 /// 1 / variance of g(code), by noise and by the slope of the image.
 std::vector<double> inverse_variances(const Samples& s, const Knots& knots, const std::vector<double>& g,
                                       const std::vector<double>& noise) {
@@ -123,6 +139,7 @@ std::vector<double> inverse_variances(const Samples& s, const Knots& knots, cons
     const double sigma = noise[bin_of(knots, s.codes[i])];
     weights[i] = 1 / (g1 * g1 * (sigma * sigma + blur * blur));
   }
+  if (s.usable.scattered) leave_out_saturated(s, knots, g, weights);
   return weights;
 }
 

@@ -1,11 +1,13 @@
 #include "lambert/image/hdr/samples.h"
 
 #include "lambert/base/hash.h"
+#include "lambert/base/parallel.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <unordered_set>
 
 namespace lambert::hdr {
@@ -14,96 +16,161 @@ namespace {
 constexpr int most_candidates = 80000;
 constexpr std::size_t bins = 64, enough_of_a_bin = 500;
 
-int code_at(const ExposureStack& stack, std::size_t frame, std::size_t channel, int x, int y) {
-  return stack.row(frame, y)[static_cast<std::size_t>(x) * stack.channels + channel];
-}
-
-/// Central differences; at the border to the one neighbour.
-float slope_at(const ExposureStack& stack, std::size_t frame, std::size_t channel, int x, int y) {
-  const auto along = [&](int dx, int dy) {
-    const int x0 = std::max(x - dx, 0), y0 = std::max(y - dy, 0);
-    const int x1 = std::min(x + dx, stack.width - 1), y1 = std::min(y + dy, stack.height - 1);
-    const int steps = std::max(1, (x1 - x0) + (y1 - y0));
-    return static_cast<float>(code_at(stack, frame, channel, x1, y1) - code_at(stack, frame, channel, x0, y0)) /
-           static_cast<float>(steps);
-  };
-  return std::hypot(along(1, 0), along(0, 1));
-}
-
-/// Cells of a grid, one candidate in each.
+/// Cells of a grid, one candidate in each, somewhere in it.
 struct Grid {
-  int step, columns, rows;
+  int step, columns, rows, width, height;
   explicit Grid(const ExposureStack& s)
       : step(std::max(
             1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(s.width) * s.height / most_candidates))))),
         columns((s.width + step - 1) / step),
-        rows((s.height + step - 1) / step) {}
+        rows((s.height + step - 1) / step),
+        width(s.width),
+        height(s.height) {}
   std::size_t count() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
+  Vec2i candidate(std::size_t cell) const {
+    const std::uint64_t jitter = hash_values(cell), s = static_cast<std::uint64_t>(step);
+    const int column = static_cast<int>(cell % static_cast<std::size_t>(columns));
+    const int row = static_cast<int>(cell / static_cast<std::size_t>(columns));
+    return {std::min(column * step + static_cast<int>(jitter % s), width - 1),
+            std::min(row * step + static_cast<int>((jitter >> 32) % s), height - 1)};
+  }
 };
 
-}  // namespace
-
-UsableCodes usable_codes(const ExposureStack& stack, std::size_t channel) {
-  const int top = stack.levels - 1, near = std::max(1, stack.levels / 256);
-  const auto largest = [&](const Frame& frame) {
-    int most = 0;
-    for (std::size_t i = channel; i < frame.codes.size() && most < top; i += stack.channels)
-      most = std::max<int>(most, frame.codes[i]);
-    return most;
-  };
-  const std::size_t n = stack.frames.size();
-  if (n < 2) return {0, top};
-  const int clip = largest(stack.frames[n - 1]);
-  if (clip == top || clip < stack.levels / 2 || std::abs(largest(stack.frames[n - 2]) - clip) > near) return {0, top};
-  for (std::size_t j = n - 2; j < n; ++j) {
-    const auto& codes = stack.frames[j].codes;
-    std::size_t clipped = 0;
-    for (std::size_t i = channel; i < codes.size(); i += stack.channels) clipped += codes[i] >= clip - near;
-    if (clipped * 200 * stack.channels < codes.size()) return {0, top};
-  }
-  return {0, clip - near};
+/// The codes of all candidates, as [(cell * channels + channel) * frames + frame]; 0 where a frame does not cover one.
+/// Collected row after row, as the selection's own order would wait for memory at each.
+template <class Code>
+std::vector<Code> candidate_codes(const ExposureStack& stack, const Grid& grid) {
+  const std::size_t n = stack.frames.size(), channels = stack.channels;
+  std::vector<Code> codes(grid.count() * channels * n);
+  parallel_for(static_cast<std::size_t>(grid.rows), [&](std::size_t row) {
+    const auto columns = static_cast<std::size_t>(grid.columns);
+    for (std::size_t cell = row * columns; cell < (row + 1) * columns; ++cell) {
+      const Vec2i at = grid.candidate(cell);
+      for (std::size_t j = 0; j < n; ++j) {
+        const Span covered = stack.covered(j, at.y);
+        if (at.x < covered.begin || at.x >= covered.end) continue;
+        const Code* from = stack.row<Code>(j, at.y) + static_cast<std::size_t>(at.x) * channels;
+        for (std::size_t c = 0; c < channels; ++c) codes[(cell * channels + c) * n + j] = from[c];
+      }
+    }
+  });
+  return codes;
 }
 
-Samples select_samples(const ExposureStack& stack, std::size_t channel) {
+/// Central differences; at the border to the one neighbour.
+template <class Code>
+float slope_at(const ExposureStack& stack, std::size_t frame, std::size_t channel, Vec2i at) {
+  const int x0 = std::max(at.x - 1, 0), x1 = std::min(at.x + 1, stack.width - 1);
+  const int y0 = std::max(at.y - 1, 0), y1 = std::min(at.y + 1, stack.height - 1);
+  const auto code = [&](int x, int y) {
+    return static_cast<int>(stack.row<Code>(frame, y)[static_cast<std::size_t>(x) * stack.channels + channel]);
+  };
+  const float dx = static_cast<float>(code(x1, at.y) - code(x0, at.y)) / static_cast<float>(std::max(1, x1 - x0));
+  const float dy = static_cast<float>(code(at.x, y1) - code(at.x, y0)) / static_cast<float>(std::max(1, y1 - y0));
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+template <class Code>
+Samples select(const ExposureStack& stack, const Grid& grid, const std::vector<Code>& candidates, std::size_t channel) {
   const std::size_t n = stack.frames.size();
   Samples samples{.frames = n, .usable = usable_codes(stack, channel)};
   for (const Frame& frame : stack.frames) samples.log_exposures.push_back(std::log(frame.exposure));
-  const Grid grid(stack);
   // A step prime to the number of cells visits them all, far apart one after the other.
   std::size_t step = static_cast<std::size_t>(0.618033988749895 * static_cast<double>(grid.count())) | 1;
   while (std::gcd(step, grid.count()) != 1) step += 2;
   std::array<std::size_t, bins> taken{};
   const std::size_t codes_per_bin = static_cast<std::size_t>(stack.levels) / bins;
-  std::vector<std::uint16_t> codes(n);
   std::unordered_set<std::uint64_t> seen;
   std::size_t cell = 0;
   for (std::size_t i = 0; i < grid.count(); ++i, cell = (cell + step) % grid.count()) {
-    const std::uint64_t jitter = hash_values(cell);
-    const int s = grid.step, column = static_cast<int>(cell % static_cast<std::size_t>(grid.columns));
-    const int row = static_cast<int>(cell / static_cast<std::size_t>(grid.columns));
-    const int x = std::min(column * s + static_cast<int>(jitter % static_cast<std::uint64_t>(s)), stack.width - 1);
-    const int y =
-        std::min(row * s + static_cast<int>((jitter >> 32) % static_cast<std::uint64_t>(s)), stack.height - 1);
+    const std::span<const Code> codes(candidates.data() + (cell * stack.channels + channel) * n, n);
     int usable = 0;
     bool rare = false;
-    for (std::size_t j = 0; j < n; ++j) {
-      const Span covered = stack.covered(j, y);
-      const int code = x >= covered.begin && x < covered.end ? code_at(stack, j, channel, x, y) : 0;
-      codes[j] = static_cast<std::uint16_t>(code);
+    for (const Code code : codes) {
       if (!samples.usable.contains(code)) continue;
       ++usable;
-      rare |= taken[static_cast<std::size_t>(code) / codes_per_bin] < enough_of_a_bin;
+      rare |= taken[code / codes_per_bin] < enough_of_a_bin;
     }
     if (usable < 2 || !rare) continue;
     std::uint64_t together = 0;
-    for (const std::uint16_t code : codes) together = hash_values(together, code);
+    for (const Code code : codes) together = hash_values(together, code);
     if (!seen.insert(together).second) continue;
+    const Vec2i at = grid.candidate(cell);
     for (std::size_t j = 0; j < n; ++j) {
       if (samples.usable.contains(codes[j])) ++taken[codes[j] / codes_per_bin];
       samples.codes.push_back(codes[j]);
-      samples.slopes.push_back(slope_at(stack, j, channel, x, y));
+      samples.slopes.push_back(slope_at<Code>(stack, j, channel, at));
     }
   }
+  return samples;
+}
+
+/// The code at which the two longest exposures both end with many pixels, if they do below the top one.
+template <class Code>
+int clipping_code(const ExposureStack& stack, std::size_t channel) {
+  const int top = stack.levels - 1, near = std::max(1, stack.levels / 256);
+  const auto largest = [&](std::size_t frame) {
+    const std::span<const Code> codes = stack.codes<Code>(frame);
+    int most = 0;
+    for (std::size_t i = channel; i < codes.size() && most < top; i += stack.channels)
+      most = std::max<int>(most, codes[i]);
+    return most;
+  };
+  const std::size_t n = stack.frames.size();
+  if (n < 2) return top;
+  const int clip = largest(n - 1);
+  if (clip == top || clip < stack.levels / 2 || std::abs(largest(n - 2) - clip) > near) return top;
+  for (std::size_t j = n - 2; j < n; ++j) {
+    const std::span<const Code> codes = stack.codes<Code>(j);
+    std::size_t clipped = 0;
+    for (std::size_t i = channel; i < codes.size(); i += stack.channels) clipped += codes[i] >= clip - near;
+    if (clipped * 200 * stack.channels < codes.size()) return top;
+  }
+  return clip - near;
+}
+
+/// The least code, of 199 in 200, that pixels have which are at `clip` or above it in a clearly shorter exposure.
+template <class Code>
+int scattered_to(const ExposureStack& stack, std::size_t channel, int clip) {
+  const std::size_t codes_per_bin = std::max<std::size_t>(1, static_cast<std::size_t>(stack.levels) / 256);
+  std::vector<std::size_t> found(static_cast<std::size_t>(clip) / codes_per_bin + 1);
+  std::size_t count = 0;
+  for (std::size_t j = 0; j + 1 < stack.frames.size(); ++j) {
+    if (stack.frames[j + 1].exposure < 1.3 * stack.frames[j].exposure) continue;
+    for (int y = 0; y < stack.height; y += static_cast<int>(stack.row_step(500000))) {
+      const Span a = stack.covered(j, y), b = stack.covered(j + 1, y);
+      const Code *shorter = stack.row<Code>(j, y), *longer = stack.row<Code>(j + 1, y);
+      for (int x = std::max(a.begin, b.begin); x < std::min(a.end, b.end); ++x) {
+        const std::size_t i = static_cast<std::size_t>(x) * stack.channels + channel;
+        if (shorter[i] < clip) continue;
+        ++found[std::min<std::size_t>(longer[i] / codes_per_bin, found.size() - 1)], ++count;
+      }
+    }
+  }
+  if (count < 64) return clip;
+  std::size_t bin = 0;
+  for (std::size_t below = found[0]; below * 200 < count && bin + 1 < found.size(); below += found[++bin]) {
+  }
+  return bin + 1 < found.size() ? static_cast<int>(bin * codes_per_bin) : clip;
+}
+
+}  // namespace
+
+UsableCodes usable_codes(const ExposureStack& stack, std::size_t channel) {
+  return stack.with_code_type([&]<class Code>(Code) {
+    const int clip = clipping_code<Code>(stack, channel);
+    const int reached = scattered_to<Code>(stack, channel, clip);
+    return UsableCodes{0, std::max(reached, clip - stack.levels / 8), reached < clip};
+  });
+}
+
+std::vector<Samples> select_samples(const ExposureStack& stack) {
+  const Grid grid(stack);
+  std::vector<Samples> samples(stack.channels);
+  stack.with_code_type([&]<class Code>(Code) {
+    const std::vector<Code> candidates = candidate_codes<Code>(stack, grid);
+    parallel_for(stack.channels, [&](std::size_t c) { samples[c] = select<Code>(stack, grid, candidates, c); });
+  });
   return samples;
 }
 

@@ -22,18 +22,25 @@ Texels read_codes(const std::string& file) {
   return t;
 }
 
-std::vector<std::uint16_t> codes_of(const Texels& t, bool sixteen_bits) {
-  const std::size_t count = static_cast<std::size_t>(t.width) * static_cast<std::size_t>(t.height);
+/// Bytes where the file has them and the stack takes them, else words. Alpha is left out.
+Codes codes_of(Texels&& t, bool sixteen_bits) {
   const auto from = static_cast<std::size_t>(t.channels), to = colours(t.channels);
-  std::vector<std::uint16_t> codes(count * to);
-  const unsigned scale = sixteen_bits ? 257 : 1;
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t c = 0; c < to; ++c)
-      codes[i * to + c] = static_cast<std::uint16_t>(
-          t.floats.empty()
-              ? t.bytes[i * from + c] * scale
-              : static_cast<unsigned>(std::lround(std::clamp(t.floats[i * from + c], 0.0f, 1.0f) * 65535)));
-  return codes;
+  if (!sixteen_bits && from == to) return std::move(t.bytes);
+  const std::size_t count = static_cast<std::size_t>(t.width) * static_cast<std::size_t>(t.height);
+  const auto gather = [&]<class Code>(const auto& values, const auto& code_of, std::vector<Code> codes) {
+    codes.resize(count * to);
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t c = 0; c < to; ++c) codes[i * to + c] = static_cast<Code>(code_of(values[i * from + c]));
+    return codes;
+  };
+  if (!sixteen_bits)
+    return gather(
+        t.bytes, [](unsigned v) { return v; }, std::vector<std::uint8_t>());
+  if (t.floats.empty())
+    return gather(
+        t.bytes, [](unsigned v) { return v * 257; }, std::vector<std::uint16_t>());
+  const auto rounded = [](float v) { return std::clamp(v, 0.0f, 1.0f) * 65535 + 0.5f; };
+  return gather(t.floats, rounded, std::vector<std::uint16_t>());
 }
 
 std::string size_text(const Texels& t) { return std::to_string(t.width) + "x" + std::to_string(t.height); }
@@ -44,16 +51,21 @@ struct Difference {
   std::size_t count = 0;
 };
 Difference brightening(const ExposureStack& stack, std::size_t a, std::size_t b) {
-  const auto &x = stack.frames[a].codes, &y = stack.frames[b].codes;
   const int low = stack.levels / 64, high = stack.levels - 1 - low;
-  const std::size_t step = std::max<std::size_t>(1, x.size() / 500000);
-  double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < x.size(); i += step) {
-    if (x[i] > high || y[i] > high || (x[i] < low && y[i] < low)) continue;
-    sum += static_cast<double>(y[i]) - x[i], ++count;
-  }
-  return {count ? sum / static_cast<double>(count) : 0, count};
+  const std::size_t rows = static_cast<std::size_t>(stack.height), n = stack.row_size(), step = stack.row_step(500000);
+  return stack.with_code_type([&]<class Code>(Code) {
+    std::int64_t sum = 0;
+    std::size_t count = 0;
+    for (std::size_t r = 0; r < rows; r += step) {
+      const Code *x = stack.row<Code>(a, static_cast<int>(r)), *y = stack.row<Code>(b, static_cast<int>(r));
+      for (std::size_t i = 0; i < n; ++i) {
+        const int p = x[i], q = y[i];
+        const int use = (p <= high) & (q <= high) & ((p >= low) | (q >= low));
+        sum += use * (q - p), count += static_cast<std::size_t>(use);
+      }
+    }
+    return Difference{count ? static_cast<double>(sum) / static_cast<double>(count) : 0, count};
+  });
 }
 
 }  // namespace
@@ -77,8 +89,8 @@ ExposureStack read_stack(const std::vector<std::string>& files, const std::vecto
   }
   stack.frames.resize(files.size());
   parallel_for(files.size(), [&](std::size_t i) {
-    stack.frames[i] = {.name = files[i], .exposure = exposures[i], .codes = codes_of(texels[i], sixteen_bits)};
-    texels[i] = {};
+    stack.frames[i] = {
+        .name = files[i], .exposure = exposures[i], .codes = codes_of(std::move(texels[i]), sixteen_bits)};
   });
   return stack;
 }

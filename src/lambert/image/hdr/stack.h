@@ -3,10 +3,13 @@
 
 #include "lambert/base/vec.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace lambert::hdr {
@@ -16,11 +19,14 @@ struct Span {
   bool operator==(const Span&) const = default;
 };
 
+/// Bytes for 256 levels, words for more.
+using Codes = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>>;
+
 /// One photograph: the codes of its file as they are, rows from the top, channels interleaved.
 struct Frame {
   std::string name;
   double exposure = 1;  ///< relative_exposure()
-  std::vector<std::uint16_t> codes;
+  Codes codes;
   /// Of each row the columns that the photograph covers, when it was moved; empty: all.
   std::vector<Span> covered;
 };
@@ -33,8 +39,22 @@ struct ExposureStack {
   std::vector<Frame> frames;
 
   std::size_t row_size() const { return static_cast<std::size_t>(width) * channels; }
-  const std::uint16_t* row(std::size_t frame, int y) const {
-    return frames[frame].codes.data() + static_cast<std::size_t>(y) * row_size();
+  /// Every so many rows have about `values` codes.
+  std::size_t row_step(std::size_t values) const {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(height) * row_size() / values);
+  }
+  /// body(std::uint8_t()) or body(std::uint16_t()): the type of the codes, for codes<>() and row<>().
+  template <class Body>
+  decltype(auto) with_code_type(const Body& body) const {
+    return levels <= 256 ? body(std::uint8_t{}) : body(std::uint16_t{});
+  }
+  template <class Code>
+  std::span<const Code> codes(std::size_t frame) const {
+    return std::get<std::vector<Code>>(frames[frame].codes);
+  }
+  template <class Code>
+  const Code* row(std::size_t frame, int y) const {
+    return codes<Code>(frame).data() + static_cast<std::size_t>(y) * row_size();
   }
   Span covered(std::size_t frame, int y) const {
     const auto& c = frames[frame].covered;
