@@ -106,7 +106,7 @@ class Hdr(CommandLineTest):
             self.assertIn(words, done.stderr)
         self.assertIn("display format", self.hdr("merge", *two, "--times", "1,4", "-o", "x.png", status=1).stderr)
         self.hdr("merge", *two, status=2)
-        self.hdr("merge", *two, "-o", "x.exr", "--compression", "gzip", status=2)
+        self.hdr("merge", *two, "-o", "x.exr", "--compression", "gzip", status=1)
         self.hdr("expose", "map.exr", "--bracket", "4..1", "-o", "a_{}.png", status=1)
         self.hdr("expose", "map.exr", "--bracket", "-1..1", "-o", "a.png", status=1)
         self.assertNotIn("x.exr", self.files())
