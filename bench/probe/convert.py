@@ -1,15 +1,20 @@
 #!/usr/bin/env python3
-"""usage: convert.py LAMBERT [--rounds N]: CPU seconds (user + system) of whole commands, medians of rounds taken in turn.
+"""CPU seconds (user + system) of whole `lambert probe` commands on a lat-long map of 4096x2048, and of OpenEXR's exrenvmap, with its
+default of 5x5 samples and with 2x2; medians of rounds taken in turn on the same files.
 
-Converts a 4096x2048 lat-long map to a cube of 1024x1024 faces and back, beside OpenEXR's exrenvmap (with its default of 5x5 samples, and
-with 2x2) where that is installed, and measures the other verbs."""
+usage: convert.py LAMBERT [--rounds N] [--plot FOLDER]
+"""
 import argparse
 import pathlib
 import resource
-import shutil
 import statistics
 import subprocess
+import sys
 import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "bench"))
+import svg_plot  # noqa: E402
 
 
 def seconds(command, folder):
@@ -20,42 +25,55 @@ def seconds(command, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("lambert")
-    parser.add_argument("--rounds", type=int, default=3)
-    options = parser.parse_args()
-    lambert = str(pathlib.Path(options.lambert).resolve())
-    sky = pathlib.Path(__file__).resolve().parents[2] / "scenes/environment/sky.hdr"
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("lambert", type=pathlib.Path)
+    arguments.add_argument("--rounds", type=int, default=5)
+    arguments.add_argument("--plot", type=pathlib.Path)
+    a = arguments.parse_args()
+    lambert = str(a.lambert.resolve())
+
+    def probe(*words):
+        return [lambert, "probe", *map(str, words)]
+
+    def exrenvmap(*words):
+        return ["exrenvmap", *map(str, words)]
+
+    cube = ("-c", "-w", 1024, "-f", 1)
+    commands = {
+        "read and write the map, PFM": probe("rotate", "map.pfm", "-o", "out.pfm"),
+        "map to cube 1024, PFM": probe("convert", "map.pfm", "--to", "vertical-strip", "--size", 1024, "-o", "out.pfm"),
+        "cube to map, PFM": probe("convert", "cube.pfm", "--to", "lat-long", "--size", 2048, "-o", "out.pfm"),
+        "map to 256x128, PFM": probe("convert", "map.pfm", "--to", "lat-long", "--size", 128, "-o", "out.pfm"),
+        "map to mirror ball 1024, PFM": probe("convert", "map.pfm", "--to", "mirror-ball", "--size", 1024, "-o", "out.pfm"),
+        "lambert, map to cube, EXR": probe("convert", "map.exr", "--to", "openexr-cube", "--size", 1024, "-o", "out.exr"),
+        "exrenvmap, 2x2 samples": exrenvmap(*cube, 2, "map.exr", "peer.exr"),
+        "exrenvmap, 5x5 (its default)": exrenvmap(*cube, 5, "map.exr", "peer.exr"),
+        "lambert, cube to map, EXR": probe("convert", "cube.exr", "--to", "openexr-lat-long", "--size", 2048, "-o", "out.exr"),
+        "exrenvmap, cube to map, 2x2": exrenvmap("-l", "-w", 4096, "-f", 1, 2, "cube.exr", "peer.exr"),
+        "irradiance of one normal": probe("irradiance", "map.pfm", "--normal", "0,1,0"),
+        "diffuse map of 128x64": probe("irradiance", "map.pfm", "--size", 64, "-o", "out.pfm"),
+        "nine harmonics": probe("sh", "map.pfm", "--order", 2),
+        "sun and sky": probe("lights", "map.pfm", "--sky", "out.pfm"),
+        "64 median-cut lights": probe("lights", "map.pfm", "--count", 64),
+    }
     with tempfile.TemporaryDirectory() as folder:
-        def probe(*arguments):
-            return [lambert, "probe", *map(str, arguments)]
-        for extension in ("pfm", "exr"):
-            subprocess.run(probe("convert", sky, "--to", "lat-long", "--size", 2048, "-o", "map." + extension), cwd=folder, check=True,
-                           capture_output=True)
-        subprocess.run(probe("convert", "map.pfm", "--to", "vertical-strip", "--size", 1024, "-o", "cube.pfm"), cwd=folder, check=True,
-                       capture_output=True)
-        commands = {
-            "read and write the map (PFM)": probe("rotate", "map.pfm", "-o", "same.pfm"),
-            "map to cube 1024 (PFM)": probe("convert", "map.pfm", "--to", "vertical-strip", "--size", 1024, "-o", "out.pfm"),
-            "cube to map (PFM)": probe("convert", "cube.pfm", "--to", "lat-long", "--size", 2048, "-o", "out.pfm"),
-            "map to 256x128 (PFM)": probe("convert", "map.pfm", "--to", "lat-long", "--size", 128, "-o", "out.pfm"),
-            "map to cube 1024 (EXR)": probe("convert", "map.exr", "--to", "openexr-cube", "--size", 1024, "-o", "out.exr"),
-            "irradiance, one normal": probe("irradiance", "map.pfm", "--normal", "0,1,0"),
-            "irradiance, 128x64 map": probe("irradiance", "map.pfm", "--size", 64, "-o", "out.pfm"),
-            "harmonics, order 2": probe("sh", "map.pfm", "--order", 2),
-            "sun and sky": probe("lights", "map.pfm", "--sky", "out.pfm"),
-            "64 median-cut lights": probe("lights", "map.pfm", "--count", 64),
-        }
-        if shutil.which("exrenvmap"):
-            for samples in (2, 5):
-                commands[f"exrenvmap, map to cube 1024, {samples}x{samples}"] = [
-                    "exrenvmap", "-c", "-li", "-w", "1024", "-f", "1", str(samples), "map.exr", "peer.exr"]
+        for made in (probe("convert", ROOT / "scenes/environment/sky.hdr", "--to", "lat-long", "--size", 2048, "-o", "map.pfm"),
+                     probe("convert", "map.pfm", "--to", "openexr-lat-long", "--size", 2048, "-o", "map.exr"),
+                     probe("convert", "map.pfm", "--to", "vertical-strip", "--size", 1024, "-o", "cube.pfm"),
+                     probe("convert", "map.pfm", "--to", "openexr-cube", "--size", 1024, "-o", "cube.exr")):
+            subprocess.run(made, cwd=folder, check=True, capture_output=True)
         times = {name: [] for name in commands}
-        for _ in range(options.rounds):
+        for _ in range(a.rounds):
             for name, command in commands.items():
                 times[name].append(seconds(command, folder))
-        for name, values in times.items():
-            print(f"{name:40} {statistics.median(values):6.2f} s")
+    medians = {name: statistics.median(values) for name, values in times.items()}
+    for name, median in medians.items():
+        print(f"{name:32} {median:6.2f} s   ({min(times[name]):.2f} to {max(times[name]):.2f})")
+    if a.plot:
+        a.plot.mkdir(parents=True, exist_ok=True)
+        rows = [(name, median, name.split(",")[0]) for name, median in medians.items() if name.startswith(("lambert", "exrenvmap"))]
+        (a.plot / "probe-convert.svg").write_text(svg_plot.bars("4096x2048 lat-long and cube of 1024, EXR to EXR: CPU time", "s", rows))
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -36,7 +36,7 @@ sheet sheet-assemble.pfm 3 ball-small.pfm right-small.pfm both.pfm
 for order in 2 4 8 16; do probe sh panorama.pfm --order $order --size 128 -o sh$order.pfm; done
 probe irradiance panorama.pfm --size 128 -o diffuse.pfm
 probe irradiance panorama.pfm --method sh --size 128 -o diffuse-sh.pfm
-sheet sheet-irradiance.pfm 3 lat-long.pfm sh2.pfm sh4.pfm sh8.pfm sh16.pfm diffuse.pfm diffuse-sh.pfm
+sheet sheet-irradiance.pfm 4 lat-long.pfm sh2.pfm sh4.pfm sh8.pfm sh16.pfm diffuse.pfm diffuse-sh.pfm
 
 # Sky and sun.
 probe lights "$scenes/environment/sky.hdr" --sky sky.pfm --pbrt sun.pbrt -o lights.json
@@ -49,7 +49,7 @@ cp "$scenes/environment/sky.hdr" "$scenes/environment/environment.pbrt" .
 for scene in sky sun-only environment; do
   "$lambert" render --quiet $scene.pbrt --resolution 240x135 --spp 64 -o lit-$scene.pfm >/dev/null
 done
-sheet sheet-sun.pfm 5 whole.pfm without.pfm lit-sky.pfm lit-sun-only.pfm lit-environment.pfm
+sheet sheet-sun.pfm 5 --one whole.pfm without.pfm lit-sky.pfm lit-sun-only.pfm lit-environment.pfm
 
 # A map that is not turned is only written in another format.
 for picture in layouts ball assemble irradiance sun; do probe rotate sheet-$picture.pfm --from lat-long -o "$here/$picture.jpg"; done

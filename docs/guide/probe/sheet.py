@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""usage: sheet.py OUT.pfm COLUMNS IN.pfm…: pictures side by side in rows, exposed each to the same mean, on white."""
+"""usage: sheet.py OUT.pfm COLUMNS [--one] IN.pfm…: pictures side by side in rows on white, exposed each to the same mean, or with --one all
+by the mean of the last."""
 import array
 import sys
 
@@ -13,13 +14,23 @@ def read(path):
         assert float(file.readline()) < 0
         values = array.array("f", file.read())
     rows = [values[y * width * 3:(y + 1) * width * 3] for y in reversed(range(height))]
-    mean = sum(sum(row) for row in rows) / max(1, sum(1 for row in rows for v in row if v > 0))
-    return width, height, [[1 - 2.718281828 ** -(0.75 * max(v, 0) / mean) for v in row] for row in rows]
+    return width, height, rows
+
+
+def mean(picture):
+    return sum(map(sum, picture)) / max(1, sum(1 for row in picture for v in row if v > 0))
+
+
+def exposed(picture, by):
+    return [[1 - 2.718281828 ** -(0.75 * max(v, 0) / by) for v in row] for row in picture]
 
 
 def main():
     out, columns = sys.argv[1], int(sys.argv[2])
-    pictures = [read(p) for p in sys.argv[3:]]
+    one, files = sys.argv[3] == "--one", [a for a in sys.argv[3:] if a != "--one"]
+    pictures = [read(file) for file in files]
+    means = [mean(p) for _, _, p in pictures]
+    pictures = [(w, h, exposed(p, means[-1] if one else m)) for (w, h, p), m in zip(pictures, means)]
     lines = [pictures[i:i + columns] for i in range(0, len(pictures), columns)]
     width = max(sum(p[0] + GAP for p in line) - GAP for line in lines)
     rows = []

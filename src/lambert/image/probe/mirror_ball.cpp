@@ -1,7 +1,5 @@
 #include "lambert/image/probe/mirror_ball.h"
 
-#include "lambert/image/probe/disk.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -36,15 +34,8 @@ float MirrorBall::radius(float theta) const {
   return std::min(1.0f, s * std::sqrt((sqr(distance) - 1) / (sqr(distance) - sqr(s))));
 }
 
-std::optional<Vec3> MirrorBall::direction(MapPoint at) const {
-  const Vec2 p = disk_point(at.uv);
-  const float r2 = dot(p, p);
-  if (r2 > 1) return std::nullopt;
-  if (std::isinf(distance)) {
-    const float n_z = std::sqrt(1 - r2);
-    return Vec3(2 * n_z * p, 2 * n_z * n_z - 1);
-  }
-  const float r = std::sqrt(r2), theta = angle(r);
+Vec3 MirrorBall::from_near(Vec2 p) const {
+  const float r = length(p), theta = angle(r);
   return Vec3(r > 0 ? p * (std::sin(theta) / r) : Vec2(0), std::cos(theta));
 }
 

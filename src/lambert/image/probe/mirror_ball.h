@@ -1,6 +1,8 @@
 #pragma once
+#include "lambert/image/probe/disk.h"
 #include "lambert/image/probe/map_point.h"
 
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -24,9 +26,19 @@ struct MirrorBall {
 
   bool operator==(const MirrorBall&) const = default;
 
-  std::optional<Vec3> direction(MapPoint at) const;
+  std::optional<Vec3> direction(MapPoint at) const {
+    const Vec2 p = disk_point(at.uv);
+    const float r2 = dot(p, p);
+    if (r2 > 1) return std::nullopt;
+    if (!std::isinf(distance)) return from_near(p);
+    const float n_z = std::sqrt(1 - r2);
+    return Vec3(2 * n_z * p, 2 * n_z * n_z - 1);
+  }
   std::optional<MapPoint> point(Vec3 d) const;
   float density(MapPoint at) const;
+
+ private:
+  Vec3 from_near(Vec2 on_disk) const;
 };
 
 }  // namespace lambert::probe
