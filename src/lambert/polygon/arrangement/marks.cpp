@@ -56,13 +56,13 @@ class Finder {
     return edge + 2 == outline_.starts[ring + 1] ? outline_.starts[ring] : edge + 1;
   }
 
-  /// False when the mark is there already.
+  /// False when it does not cut the edge: it is there already, or at an end of it.
   bool mark(const Part& part, Vec2d point, bool rounded) {
     const std::uint32_t edge = point == p_[part.edge + 1] ? next(part.edge, part.run) : part.edge;
     fresh_.push_back({edge, rounded, point});
     fresh_run_.push_back(part.run);
     const auto order = [&](const Mark& m, const Mark& n) { return before(m, n); };
-    return marks_.all.empty() || !std::binary_search(marks_.all.begin(), marks_.all.end(), fresh_.back(), order);
+    return !is_vertex(part, point) && !std::binary_search(marks_.all.begin(), marks_.all.end(), fresh_.back(), order);
   }
 
   bool is_vertex(const Part& part, Vec2d point) const { return point == p_[part.edge] || point == p_[part.edge + 1]; }

@@ -1,5 +1,6 @@
 #include "lambert/polygon/arrangement/network.h"
 #include "lambert/polygon/arrangement/subdivision.h"
+#include "lambert/polygon/boolean/boolean.h"
 #include "lambert/polygon/boolean/valid.h"
 
 #include <gtest/gtest.h>
@@ -60,6 +61,34 @@ TEST(Paths, TheTreeGivesUpOnWhatItIsNoGoodFor) {
   Random random(12);
   const Outline outline = outline_of({around({0, 0}, 4000, 0.3, 1, random)}, {around({0.01, 0}, 4000, 0.3, 1, random)});
   EXPECT_FALSE(find_marks(outline, BoxTree(outline)).has_value());
+}
+
+/// Rounding bends the edges on both sides of a vertex so that parts of them cross beside it, and the crossing is
+/// rounded to the vertex, which cuts neither.
+TEST(Paths, PartsMayCrossBesideTheirVertex) {
+  const Rings subject{{{0x1.17544f17fb84fp-3, 0x1.a2fe76a3f9477p-2},
+                       {0x1.17544f17fb84fp-1, 0x1.17544f17fb84ep-2},
+                       {0x1.17544f17fb84fp-3, 0x1.17544f17fb84fp-1},
+                       {0x1.17544f17fb84fp-1, 0x1.a2fe76a3f9475p-2},
+                       {0, 0x1.a2fe76a3f9478p-2}}};
+  const Rings clip{{{0x1.17544f17fb84fp-1, 0x1.17544f17fb84ep-2},
+                    {0x1.17544f17fb84fp-1, 0x1.17544f17fb85p-1},
+                    {0x1.17544f17fb84fp-2, 0x1.17544f17fb85p-2},
+                    {0x1.17544f17fb84ep-3, 0}},
+                   {{0x1.a2fe76a3f9477p-2, 0x1.17544f17fb85p-1},
+                    {0x1.a2fe76a3f9475p-2, 0x1.a2fe76a3f9475p-2},
+                    {0x1.a2fe76a3f9475p-2, 0x1.17544f17fb85p-3},
+                    {0x1.17544f17fb84ep-1, 0},
+                    {0x1.a2fe76a3f9478p-2, 0},
+                    {0x1.17544f17fb84fp-1, 0x1.17544f17fb85p-1},
+                    {0, 0x1.17544f17fb84fp-1}}};
+  const Outline outline = outline_of(subject, clip);
+  EXPECT_FALSE(find_marks(outline, BoxTree(outline)).has_value()) << "the sweep sorts it out";
+  for (const BooleanOp op : {BooleanOp::unite, BooleanOp::intersect, BooleanOp::subtract, BooleanOp::exclude})
+    for (const FillRule rule : {FillRule::even_odd, FillRule::non_zero}) {
+      const auto invalid = check_valid(boolean(op, subject, clip, rule));
+      EXPECT_FALSE(invalid) << invalid->message();
+    }
 }
 
 /// All ways through one small cell, as rounding needs many rounds to sort out.
