@@ -25,6 +25,22 @@ for op in a b over in out atop xor; do
 done
 composite "$strip" --resolution 332x44 -o coverage.png
 
+# A disk before blue, its light and alpha turned down.
+sheet='colour(0.05,0.15,0.45)' i=0
+for word in '' 'darken 0.5' 'dissolve 0.5' 'opaque 0.5' 'opaque 0'; do
+  sheet="(((colour(0.8,0.4,0.05) mask disk(40,40,30)) $word) translate $((84 * i)) 0) over $sheet"
+  i=$((i + 1))
+done
+composite "$sheet" --resolution 416x80 -o light.png
+
+# A matte and what may be done to it.
+matte='(polygon(40,8,72,30,58,70,40,50,14,66,10,24) blur 1)' sheet='colour(0.18,0.2,0.24)' i=0
+for word in '' 'erode 6' 'dilate 6' 'edge 3' 'blur 5' 'invert'; do
+  sheet="((colour(1,0.85,0.5) mask ($matte $word)) crop 0 0 80 80 translate $((84 * i)) 0) over $sheet"
+  i=$((i + 1))
+done
+composite "$sheet" --resolution 500x80 -o mattes.png
+
 # A film element: a render, cut by its depth, a glow of its highlights, a title that darkens the plate behind it.
 "$lambert" render --quiet --resolution 320x320 --spp 32 --aov depth,albedo -o "$work/box.exr" >/dev/null
 beauty="$work/box.exr"
@@ -42,6 +58,18 @@ composite "($work/shot.exr key-screen 0.045 0.52 0.09 low=0.1) over (colour(0.2,
 
 # Depth: two fogs of one render.
 composite "(colour(0.5,0.6,0.7) mask ($beauty depth-matte 0.9 1.4)) atop $beauty" -o fog.jpg
+
+# A ball, rendered alone, among the blocks of the box by depth.
+{
+  sed -n '1,/WorldBegin/p' "$scenes/cornell-box/cornell-box.pbrt"
+  echo 'LightSource "distant" "point3 from" [ 0.4 1 -1 ] "point3 to" [ 0 0 0 ] "rgb L" [ 1.2 1 .8 ]'
+  echo 'Material "diffuse" "rgb reflectance" [ .8 .5 .2 ]'
+  echo 'Translate 330 170 215 Shape "sphere" "float radius" 130'
+} >"$work/ball.pbrt"
+for scene in "$work/ball.pbrt" "$scenes/cornell-box/cornell-box.pbrt"; do
+  "$lambert" render --quiet "$scene" --resolution 320x320 --spp 64 --aov depth -o "$work/$(basename "$scene" .pbrt).exr" >/dev/null
+done
+composite "$work/ball.exr zover $work/cornell-box.exr" -o zover.jpg
 
 # An animated matte, eight frames beside one another.
 for f in 0 1 2 3 4 5 6 7; do

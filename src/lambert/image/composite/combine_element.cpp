@@ -135,8 +135,8 @@ class DepthElement final : public PairElement {
     const std::span<float> alpha_b = b.row(alpha_channel, y).subspan(x, n), depth_b = b.row(z_, y).subspan(x, n);
     std::vector<float> front(n);  // 1 where A is
     for (std::size_t i = 0; i < n; ++i) {
-      const float za = alpha_a[i] > 0 && depth_a[i] < far ? depth_a[i] : far;
-      const float zb = alpha_b[i] > 0 && depth_b[i] < far ? depth_b[i] : far;
+      const float za = alpha_a[i] > 0 ? distance_of(depth_a[i]) : far;
+      const float zb = alpha_b[i] > 0 ? distance_of(depth_b[i]) : far;
       front[i] = za <= zb ? 1.0f : 0.0f;
       depth_b[i] = za <= zb ? za : zb;
     }

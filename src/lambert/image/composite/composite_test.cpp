@@ -108,6 +108,9 @@ TEST_F(Plane, TheNearerLiesOver) {
   EXPECT_EQ(z(eval("none.exr over far.exr")), 5);
   EXPECT_EQ(z(eval("far.exr out far.exr")), inf);
   EXPECT_EQ(pixel_at(eval("near.exr depth-matte 1 5"), 0, 0).a, 0.25f);
+  pictures.add("unseen.exr", element({1, 0, 0, 1}, 0));
+  EXPECT_EQ(pixel_at(eval("unseen.exr zover far.exr"), 0, 0), (Pixel{0, 1, 0, 1})) << "Z is 0";
+  EXPECT_EQ(pixel_at(eval("unseen.exr depth-matte 1 5"), 0, 0).a, 1);
   EXPECT_EQ(pixel_at(eval("none.exr depth-matte 1 5"), 0, 0).a, 1);
   // Fog that keeps to the element: half covered pixels get half of it.
   EXPECT_EQ(pixel_at(eval("(colour(1,1,1) mask (near.exr depth-matte 1 3)) atop near.exr"), 0, 0),

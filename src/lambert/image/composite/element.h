@@ -6,6 +6,7 @@
 #include "lambert/image/stream.h"
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,9 @@ struct Shape {
 bool is_sampled(std::string_view channel);
 /// What a channel has where there is nothing: infinity for Z, else 0.
 float nothing_of(std::string_view channel);
+
+/// Z as a distance: what is not above 0, as renderers store it where they saw nothing, and NaN are infinitely far.
+inline float distance_of(float z) { return z > 0 ? z : std::numeric_limits<float>::infinity(); }
 
 class Element {
  public:

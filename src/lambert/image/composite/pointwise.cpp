@@ -87,7 +87,7 @@ ElementPtr channel_matte(ElementPtr input, const std::string& name, float low, f
   return rowwise(std::move(shape), std::move(input), nullptr, [=](const Row& row) {
     const auto values = row.band.row(index, row.y);
     for (std::size_t x = 0; x < values.size(); ++x) {
-      const float value = depth && !(row.a[x] > 0) ? std::numeric_limits<float>::infinity() : values[x];
+      const float value = !depth ? values[x] : row.a[x] > 0 ? distance_of(values[x]) : distance_of(0);
       row.r[x] = ramp(value, low, high);
     }
     for (const auto to : {row.g, row.b, row.a}) std::ranges::copy(row.r, to.begin());
