@@ -1,27 +1,14 @@
 // CPU seconds, in place (of all threads, user and system) of one operator on a radiance map in memory:
 //   bench_tonemap MAP OPERATOR [key=value…]
+#include "../process_time.h"
 #include "lambert/image/io.h"
 #include "lambert/image/tonemap/tonemap.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <cstdio>
 #include <string>
 #include <utility>
-
-namespace {
-
-double cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   using namespace lambert;
@@ -33,8 +20,8 @@ int main(int argc, char** argv) {
     const std::string word = argv[i];
     table.set(word.substr(0, word.find('=')), word.substr(word.find('=') + 1));
   }
-  const double before = cpu_seconds();
+  const double before = bench::cpu_seconds();
   const Image shown = tonemap(std::move(map), settings);
-  fmt::print("{:.6f}\n", cpu_seconds() - before);
+  fmt::print("{:.6f}\n", bench::cpu_seconds() - before);
   return shown.empty();
 }

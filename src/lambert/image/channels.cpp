@@ -6,13 +6,13 @@
 #include <cctype>
 
 namespace lambert {
-namespace {
-
 std::string lower(std::string_view text) {
   std::string result(text);
   std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return result;
 }
+
+namespace {
 
 std::string layer_of(const std::string& name) {
   const std::size_t point = name.rfind('.');

@@ -18,6 +18,9 @@ std::vector<ColourTriple> colour_triples(const std::vector<std::string>& names);
 /// Which channels are amounts of light, that exposure multiplies: colour_triples() and luminance ("Y").
 std::vector<bool> light_channels(const std::vector<std::string>& names);
 
+/// With ASCII letters in lower case: how names are compared where programs spell them differently.
+std::string lower(std::string_view name);
+
 /// Positions, depths, ids, counts and variances, which need all digits of a float.
 bool needs_full_floats(std::string_view channel);
 

@@ -1,17 +1,12 @@
 #include "lambert/image/formats/exr_names.h"
 
+#include "lambert/image/channels.h"
+
 #include <algorithm>
-#include <cctype>
 #include <set>
 
 namespace lambert {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
 
 std::string part_word(const std::vector<std::string>& part_names, std::size_t part) {
   return part_names[part].empty() ? "part" + std::to_string(part) : part_names[part];

@@ -52,7 +52,7 @@ TEST_F(Exposure, ReadsLists) {
   EXPECT_EQ(list[0].setting.time, 0.125);
   EXPECT_EQ(list[1].file, "/b/c.png");
   EXPECT_EQ(relative_exposure(list[1].setting), 0.5 * 2 / 16);
-  const auto hdrgen = read_exposure_list(file("a.hdrgen", "/var/tmp/img08.jpg 4 2.8 100 0\n"));
+  const auto hdrgen = read_exposure_list(file("a.hdrgen", "/photos/img08.jpg 4 2.8 100 0\n"));
   EXPECT_EQ(hdrgen[0].setting.time, 0.25);
   EXPECT_EQ(hdrgen[0].setting.f_number, 2.8);
 }
