@@ -110,7 +110,7 @@ class TileRegression {
   void run(Tile tile, const PatchGuide& guide, std::span<const PaddedPlane> colour,
            std::span<const PaddedPlane> features) {
     const int radius = settings_.window_radius;
-    TileWeights by_patches(guide, tile, row_step, settings_.patch_radius, 1);
+    TileWeights by_patches(guide, tile, row_step, settings_.patch_radius, 1 / (settings_.k * settings_.k));
     float* to = weights_.data();
     for (int dy = -radius; dy <= radius; ++dy)
       for (int dx = -radius; dx <= radius; ++dx) {
@@ -146,7 +146,7 @@ class TileRegression {
       const std::size_t offset = static_cast<std::size_t>((dy + radius) * across + s);
       const Lanes w = load(weights_.data() + (offset * window_rows + static_cast<std::size_t>(j)) * lane_count);
       w_[0][at] = w;
-      w_[1][at] = w * w;
+      w_[1][at] = w * w * (w * w);
       f_[0][at] = all(1);
       f_[1][at] = all(static_cast<float>(dx) / static_cast<float>(radius));
       f_[2][at] = all(static_cast<float>(dy) / static_cast<float>(radius));
