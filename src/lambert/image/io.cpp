@@ -8,6 +8,7 @@
 #include "lambert/image/formats/codecs.h"
 #include "lambert/image/formats/exif.h"
 #include "lambert/image/formats/orientation.h"
+#include "lambert/image/stream.h"
 
 #include <algorithm>
 #include <array>
@@ -374,6 +375,11 @@ void write_image(const std::filesystem::path& path, const Image& image, const Wr
     const bool cropped = !format.windows && image.data_window() != image.display_window();
     const Image shown = cropped ? displayed(image) : Image();
     const Image& written = cropped ? shown : image;
+    if (format.encode == encode_exr) {  // block by block: the whole file would be as much memory again
+      ImageWriter writer(path, header_of(written), options);
+      writer.write(written.pixels());
+      return writer.close();
+    }
     write_atomically(
         path, format.encode
                   ? format.encode(written, options)

@@ -7,7 +7,9 @@
 #include "lambert/image/formats/exr_writer.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -15,7 +17,17 @@ namespace lambert {
 
 namespace {
 
-bool exceeds_half(float v) { return std::abs(v) > 65504 && std::isfinite(v); }
+/// Magnitudes are in the order of their bits; infinities and NaN come last.
+bool some_exceed_half(std::span<const float> values) {
+  constexpr auto most = std::bit_cast<std::uint32_t>(65504.0f),
+                 infinity = std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity());
+  std::uint32_t some = 0;
+  for (const float v : values) {
+    const std::uint32_t magnitude = std::bit_cast<std::uint32_t>(v) & 0x7fffffff;
+    some |= static_cast<std::uint32_t>((magnitude > most) & (magnitude < infinity));
+  }
+  return some != 0;
+}
 
 }  // namespace
 
@@ -25,7 +37,7 @@ ImageHeader header_of(const Image& image) {
           .channels = image.channels(),
           .metadata = image.metadata,
           .attributes = image.attributes,
-          .full_floats = std::ranges::any_of(image.pixels(), exceeds_half)};
+          .full_floats = some_exceed_half(image.pixels())};
 }
 
 Image image_of(const ImageHeader& header) {
