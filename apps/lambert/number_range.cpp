@@ -2,6 +2,8 @@
 
 #include "lambert/base/error.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdlib>
 
 namespace lambert::cli {

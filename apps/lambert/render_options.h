@@ -1,13 +1,13 @@
 #pragma once
 /// The flags of `lambert render`, shared with every command that renders.
 
+#include "cli_fwd.h"
+
 #include "lambert/camera/camera.h"
 #include "lambert/image/tonemap/tonemap.h"
 #include "lambert/render/render.h"
 
 #include "load_scene.h"
-
-#include <CLI/App.hpp>
 
 #include <optional>
 #include <string>

@@ -1,11 +1,11 @@
 #pragma once
 /// What the verbs of `lambert hdr` share.
 
+#include "../cli_fwd.h"
+
 #include "lambert/image/hdr/align.h"
 #include "lambert/image/hdr/recover.h"
 #include "lambert/image/hdr/stack.h"
-
-#include <CLI/App.hpp>
 
 #include <cstdint>
 #include <functional>

@@ -1,11 +1,11 @@
 #pragma once
 /// What the verbs of `lambert image` that filter share.
 
+#include "../cli_fwd.h"
+
 #include "lambert/base/vec.h"
 #include "lambert/image/filter/edge_mode.h"
 #include "lambert/image/image.h"
-
-#include <CLI/App.hpp>
 
 #include <string>
 #include <vector>

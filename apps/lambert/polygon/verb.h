@@ -1,11 +1,12 @@
 #pragma once
 /// What the verbs of `lambert polygon` share.
 
+#include "../cli_fwd.h"
+
 #include "lambert/draw/picture.h"
 #include "lambert/polygon/box.h"
 #include "lambert/polygon/formats/file.h"
 
-#include <CLI/App.hpp>
 #include <nlohmann/json_fwd.hpp>
 
 #include <functional>

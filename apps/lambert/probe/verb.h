@@ -1,12 +1,13 @@
 #pragma once
 /// What the verbs of `lambert probe` share.
 
+#include "../cli_fwd.h"
+
 #include "lambert/base/error.h"
 #include "lambert/image/probe/find_ball.h"
 #include "lambert/image/probe/layout.h"
 #include "lambert/image/probe/rotation.h"
 
-#include <CLI/App.hpp>
 #include <nlohmann/json_fwd.hpp>
 
 #include <functional>
