@@ -4,6 +4,7 @@
 #include "lambert/base/file.h"
 #include "lambert/base/number.h"
 #include "lambert/base/parallel.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/io.h"
 
 #include <algorithm>
@@ -15,10 +16,11 @@ namespace {
 std::size_t colours(int channels) { return channels >= 3 ? 3 : 1; }
 
 Texels read_codes(const std::string& file) {
-  const MappedFile mapped(file);
-  Texels t = decode_texels(mapped.bytes(), file);
+  const MappedFile mapped = open_input(file);
+  Texels t = decode_texels(mapped.bytes(), input_name(file));
   if (t.linear)
-    throw Error(file + ": holds radiance already, not the codes of a photograph (PNG, JPEG, TIFF and WebP have them)");
+    throw Error(input_name(file) +
+                ": holds radiance already, not the codes of a photograph (PNG, JPEG, TIFF and WebP have them)");
   return t;
 }
 
