@@ -2,6 +2,7 @@
 
 #include "command.h"
 #include "number_range.h"
+#include "outputs.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"
@@ -55,8 +56,8 @@ std::function<int()> add_compare(CLI::App& app) {
   expect_number(app.add_option("--pixels-per-degree", o->flip.pixels_per_degree, "How the viewer of flip sits")
                     ->capture_default_str(),
                 {"from 1 to 1000", 1, 1000.0001});
-  app.add_option("--difference", o->difference, "Write image - reference")->type_name("FILE");
-  app.add_option("--heat", o->heat, "Write a false-colour image")->type_name("FILE");
+  add_output(app, "--difference", o->difference, "Write image - reference");
+  add_output(app, "--heat", o->heat, "Write a false-colour image");
   app.add_option("--heat-of", o->heat_of, "What it shows")
       ->check(CLI::IsMember({"error", "flip", "ssim", "z"}))
       ->capture_default_str();

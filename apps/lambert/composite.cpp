@@ -1,6 +1,7 @@
 #include "command.h"
 #include "interrupt.h"
 #include "number_range.h"
+#include "outputs.h"
 #include "print_path.h"
 #include "progress_report.h"
 
@@ -62,12 +63,11 @@ std::optional<Window> display_of(const Options& o) {
   return Window{0, 0, width, height};
 }
 
-void check_outputs(const Options& o, std::size_t frames) {
+void check_outputs(const Options& o, const WriteOptions& write, std::size_t frames) {
   for (const std::string& path : o.outputs) {
-    is_radiance_format(path);  // throws for an unknown format
     if (frames > 1 && !has_frame_pattern(path))
       throw Error(path + ": several frames need a name with #### or %04d in it");
-    check_writable(name_at_frame(path, 1));
+    check_images({name_at_frame(path, 1)}, write);
   }
 }
 
@@ -85,10 +85,10 @@ int run(const Options& o) {
   if (o.frames.empty())
     for (const std::string& file : files_of(source.tree))
       if (has_frame_pattern(file)) throw Error(file + ": say which frames: --frames FIRST-LAST");
-  check_outputs(o, frames.size());
+  const WriteOptions write{.depth = parse_depth(o.depth), .compression = parse_compression(o.compression)};
+  check_outputs(o, write, frames.size());
   check_files(source.tree, frames);
   if (o.threads > 0) set_thread_count(o.threads);
-  const WriteOptions write{.depth = parse_depth(o.depth), .compression = parse_compression(o.compression)};
   CompositeSettings settings{.display = display_of(o), .name = source.name, .text = source.text};
   settings.stop = stop_on_interrupt();
   const ProgressSink progress = o.quiet ? ProgressSink() : progress_sink(o.progress);
@@ -152,16 +152,14 @@ std::function<int()> add_composite(CLI::App& app) {
   app.add_option("expression", options.expression,
                  "What to composite: an expression, or a file of one: FILE.comp, or FILE.json as a tree")
       ->required();
-  app.add_option("-o,--output", options.outputs, "The picture to write, by extension; several allowed")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+  add_outputs(app, options.outputs, "The picture to write, by extension");
   app.add_option("--frames", options.frames, "FIRST-LAST, FIRST-LASTxSTEP; parted by commas; fills in #### or %04d");
   app.add_option("--resolution", options.resolution, "Show WIDTHxHEIGHT pixels from (0, 0) instead of what B shows");
   app.add_option("--depth", options.depth, "How numbers are stored: auto, 8, 16, half, float");
   app.add_option("--compression", options.compression, "Of OpenEXR files: zip (default), none, rle, zips, piz, …");
   app.add_option("--print", options.print, "Print the tree as 'text' or 'json' instead of compositing")
       ->check(CLI::IsMember({"text", "json"}));
-  app.add_option("--stats", options.stats, "Write times and memory as JSON");
+  add_output(app, "--stats", options.stats, "Write times and memory as JSON");
   expect_number(app.add_option("--threads", options.threads, "Threads; 0 is one for each processor"),
                 {.expected = "a number from 0 to 1024", .below = 1025});
   app.add_option("--progress", options.progress, "tty, ndjson or none")->check(CLI::IsMember(progress_styles()));

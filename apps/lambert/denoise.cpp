@@ -1,9 +1,9 @@
 #include "command.h"
 #include "number_range.h"
+#include "outputs.h"
 #include "print_path.h"
 
 #include "lambert/base/error.h"
-#include "lambert/base/file.h"
 #include "lambert/base/parallel.h"
 #include "lambert/image/denoise/denoise.h"
 #include "lambert/image/io.h"
@@ -35,10 +35,7 @@ int run(const DenoiseOptions& o) {
   settings.input.use_guides = !o.no_guides;
   settings.input.firefly = o.firefly;
   const ToneSettings tone{.op = tone_operator(o.tonemap), .exposure = o.exposure};
-  for (const std::string& path : o.outputs) {
-    is_radiance_format(path);
-    check_writable(path);
-  }
+  check_images(o.outputs);
   set_thread_count(o.threads);
   const Image noisy = read_image(o.input);
   Image image;
@@ -61,11 +58,7 @@ std::function<int()> add_denoise(CLI::App& app) {
   app.add_option("input", o.input, "Rendered image, best with the layers of 'lambert render --aov denoising'")
       ->type_name("FILE")
       ->required();
-  app.add_option("-o,--output", o.outputs,
-                 fmt::format("Image to write, several allowed: {}", fmt::join(image_extensions(), ", ")))
-      ->type_name("FILE")
-      ->allow_extra_args(false)
-      ->required();
+  add_outputs(app, o.outputs, fmt::format("Image to write: {}", fmt::join(image_extensions(), ", ")))->required();
   app.add_option("--method", o.method, fmt::format("{}", fmt::join(denoise_method_names(), ", ")))
       ->capture_default_str();
   app.add_flag("--no-guides", o.no_guides, "Use colour alone (nfor, nlm, bilateral)");

@@ -18,10 +18,8 @@
 
 #include <sys/resource.h>
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <exception>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -42,13 +40,6 @@ double peak_megabytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-bool is_exr(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".exr";
 }
 
 /// Whether `write` did; its error is logged, so that what else there is to write is written.
@@ -112,7 +103,8 @@ int run(const RenderOptions& options) {
   if (options.verbose) log::set_level(log::Level::debug);
   const ProgressSink progress = options.quiet ? ProgressSink() : progress_sink(options.progress);
   const std::vector<std::string> paths = output_paths(options);
-  if (!options.aovs.empty() && std::none_of(paths.begin(), paths.end(), is_exr))
+  if (!options.aovs.empty() &&
+      std::none_of(paths.begin(), paths.end(), [](const auto& path) { return writes_exr(path); }))
     log::warn("--aov adds layers to an EXR, and none is written");
   tone_settings(options);
   const std::stop_token stop = stop_on_interrupt();

@@ -2,6 +2,7 @@
 
 #include "exposure_flag.h"
 #include "number_range.h"
+#include "outputs.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
@@ -70,9 +71,7 @@ std::string default_output(const std::string& scene) {
 
 void add_render_options(CLI::App& app, RenderOptions& o) {
   add_scene_options(app, o.scene);
-  app.add_option("-o,--output", o.outputs, "Image to write, several allowed: " + joined(image_extensions()))
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+  add_outputs(app, o.outputs, "Image to write: " + joined(image_extensions()));
   app.add_option("--method", o.method, "How to render (see 'lambert methods')")->capture_default_str();
   app.add_option("--set", o.method_settings, "A setting of the method, key=value; several allowed")
       ->allow_extra_args(false);
@@ -106,7 +105,7 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
       ->capture_default_str();
   app.add_flag("--denoise", o.denoise, "Remove the noise that is left (see 'lambert denoise'); biased");
   app.add_option("--progress", o.progress, "tty, ndjson or none; by default a bar if standard error is a terminal");
-  app.add_option("--stats", o.stats, "Write times, counts and rates as JSON")->type_name("FILE");
+  add_output(app, "--stats", o.stats, "Write times, counts and rates as JSON");
   app.add_flag("--quiet", o.quiet, "Say nothing but errors");
   app.add_flag("--verbose", o.verbose, "Say more");
 }
@@ -184,10 +183,7 @@ std::unique_ptr<Method> configured_method(const RenderOptions& options, const Sc
 std::vector<std::string> output_paths(const RenderOptions& options) {
   std::vector<std::string> paths = options.outputs;
   if (paths.empty()) paths.push_back(default_output(options.scene.file));
-  for (const std::string& path : paths) {
-    is_radiance_format(path);
-    check_writable(path);
-  }
+  check_images(paths);
   if (!options.stats.empty()) check_writable(options.stats);
   return paths;
 }

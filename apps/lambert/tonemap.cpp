@@ -2,10 +2,9 @@
 
 #include "command.h"
 #include "number_range.h"
-#include "print_path.h"
+#include "outputs.h"
 
 #include "lambert/base/error.h"
-#include "lambert/base/file.h"
 #include "lambert/draw/montage.h"
 #include "lambert/image/filter/resize.h"
 #include "lambert/image/io.h"
@@ -59,10 +58,7 @@ void check(const TonemapOptions& o) {
   if (o.montage && !o.assignments.empty()) throw Error("--set belongs to one operator, not to --montage");
   if (o.inputs.size() > 1 && (o.montage || o.operators != std::vector<std::string>{tone::Mertens::name}))
     throw Error("several images are a stack of exposures, for which there is --operator mertens");
-  for (const std::string& path : o.outputs) {
-    is_radiance_format(path);
-    check_writable(path);
-  }
+  check_images(o.outputs);
 }
 
 int run(const TonemapOptions& o) {
@@ -76,10 +72,7 @@ int run(const TonemapOptions& o) {
   const Image shown =
       o.montage ? montage_of(inputs, o.operators.empty() ? tone_operator_names() : o.operators, o)
                 : mapped(std::move(inputs), o.operators.empty() ? tone::Photographic::name : o.operators.front(), o);
-  for (const std::string& path : o.outputs) {
-    write_image(path, shown);
-    print_path(path);
-  }
+  write_images(o.outputs, shown);
   return done;
 }
 
@@ -90,9 +83,7 @@ std::function<int()> add_tonemap(CLI::App& app) {
   const std::string names = fmt::format("{}", fmt::join(tone_operator_names(), ", "));
   app.add_option("input", o.inputs, "Radiance map; several images are a stack of exposures (mertens)")
       ->type_name("FILE");
-  app.add_option("-o,--output", o.outputs, "Image to write, several allowed")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+  add_outputs(app, o.outputs, "Image to write, by extension");
   app.add_option("--operator", o.operators, "photographic by default; with --montage several: " + names)
       ->type_name("NAME")
       ->delimiter(',')

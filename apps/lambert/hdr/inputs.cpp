@@ -66,7 +66,7 @@ std::vector<hdr::ExposureSetting> from_list(const std::string& list_name, std::v
 }
 
 hdr::ExposureSetting from_exif(const std::string& file) {
-  const MappedFile mapped(file);
+  const MappedFile mapped = open_input(file);
   hdr::ExposureSetting setting;
   if (const auto exif = read_exif(mapped.bytes())) {
     setting.time = exif->exposure_time.value_or(0);

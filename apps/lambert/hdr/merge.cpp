@@ -3,11 +3,13 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../outputs.h"
 #include "../print_path.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
 #include "lambert/base/log.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/hdr/merge.h"
 #include "lambert/image/hdr/range.h"
 #include "lambert/image/io.h"
@@ -24,7 +26,8 @@ namespace {
 struct Options {
   StackOptions stack;
   RecoveryOptions recovery;
-  std::string output, response_out, plot, weights = "variance", ghosts = "auto", compression = "piz";
+  std::vector<std::string> outputs;
+  std::string response_out, plot, weights = "variance", ghosts = "auto", compression = "piz";
   hdr::SensorNoise noise;
   hdr::GhostSettings ghost;
   double scale = 1;
@@ -77,9 +80,10 @@ void say(const nlohmann::ordered_json& j) {
 }
 
 int run(const Options& o) {
-  if (!is_radiance_format(o.output))
-    throw Error(o.output + ": radiance does not fit a display format; expected .exr, .hdr or .pfm");
-  check_writable(o.output);
+  for (const std::string& path : o.outputs)
+    if (!is_radiance_format(path))
+      throw Error(output_name(path) + ": radiance does not fit a display format; expected .exr, .hdr or .pfm");
+  check_images(o.outputs);
   if (!o.response_out.empty()) check_writable(o.response_out);
   if (!o.plot.empty()) check_writable(o.plot);
   const hdr::Weighting weights = hdr::weighting(o.weights);
@@ -98,8 +102,9 @@ int run(const Options& o) {
                                   {.weights = weights, .code_noise = recovery.noise, .noise = o.noise}, masks);
   if (o.scale != 1)
     for (float& v : merged.image.pixels()) v *= static_cast<float>(o.scale);
-  write_image(o.output, merged.image, {.compression = parse_compression(o.compression)});
-  std::vector<std::string> written{o.output};
+  for (const std::string& path : o.outputs)
+    write_image(path, merged.image, {.compression = parse_compression(o.compression)});
+  std::vector<std::string> written = o.outputs;
   if (!o.response_out.empty()) {
     write_atomically(o.response_out, hdr::response_csv(recovery.response, hdr::ResponseTable::by_exposure));
     written.push_back(o.response_out);
@@ -126,10 +131,10 @@ int run(const Options& o) {
 std::function<int()> add_hdr_merge(CLI::App& app) {
   static Options o;
   add_stack_options(app, o.stack);
-  app.add_option("-o,--output", o.output, "Radiance map: .exr, .hdr or .pfm")->type_name("FILE")->required();
+  add_outputs(app, o.outputs, "Radiance map: .exr, .hdr or .pfm")->required();
   add_recovery_options(app, o.recovery);
-  app.add_option("--response-out", o.response_out, "Write the response as CSV")->type_name("FILE");
-  app.add_option("--plot", o.plot, "Draw the response (.svg or an image)")->type_name("FILE");
+  add_output(app, "--response-out", o.response_out, "Write the response as CSV");
+  add_output(app, "--plot", o.plot, "Draw the response (.svg or an image)");
   app.add_option("--weights", o.weights, "variance, hat, gaussian, robertson")
       ->type_name("NAME")
       ->capture_default_str();

@@ -39,7 +39,7 @@ int run(const Options& o) {
   const std::vector<std::string> names = {"gaussian", "box", "bartlett"};
   if (std::find(names.begin(), names.end(), o.filter) == names.end())
     throw Error("--filter: unknown blur " + unknown_word(o.filter, names));
-  write_outputs(o, blurred(o, read_image(o.input)));
+  write_outputs(o, blurred(o, read_input(o)));
   return done;
 }
 

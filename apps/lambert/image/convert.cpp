@@ -1,6 +1,8 @@
 #include "verb.h"
 
 #include "../command.h"
+#include "../number_range.h"
+#include "../outputs.h"
 #include "../print_path.h"
 
 #include "lambert/base/error.h"
@@ -20,8 +22,8 @@ namespace lambert::cli {
 namespace {
 
 struct Options {
-  std::string input, output, layer, crop_to;
-  std::vector<std::string> channels;
+  std::string input, layer, crop_to;
+  std::vector<std::string> outputs, channels;
   std::string depth = "auto", compression = "zip";
   std::optional<int> quality;
   double exposure = 0;
@@ -42,7 +44,7 @@ Image rows_of(ImageReader& reader, const Window& window, int y0, int y1) {
 int run(const Options& o) {
   const WriteOptions options{
       .depth = parse_depth(o.depth), .compression = parse_compression(o.compression), .quality = o.quality};
-  check_write_options(o.output, options);
+  check_images(o.outputs, options);
   ImageReader reader(o.input);
   ImageHeader header = reader.header();
   if (header.parts > 1)
@@ -57,7 +59,8 @@ int run(const Options& o) {
   const Window window = header.data;
   header.channels.clear();
   for (const ChannelChoice& c : choices) header.channels.push_back(c.name);
-  ImageWriter writer(o.output, header, options);
+  std::vector<ImageWriter> writers;
+  for (const std::string& path : o.outputs) writers.emplace_back(path, header, options);
   constexpr int rows = 256;
   for (int y = 0; y < window.height; y += rows) {
     const Image band = rows_of(reader, window, y, std::min(y + rows, window.height));
@@ -68,10 +71,12 @@ int run(const Options& o) {
       const float* from = band.pixels().data() + choices[c].stored;
       for (std::size_t i = 0; i < chosen.size() / count; ++i) chosen[i * count + c] = scale * from[i * stored];
     }
-    writer.write(chosen);
+    for (ImageWriter& writer : writers) writer.write(chosen);
   }
-  writer.close();
-  print_path(o.output);
+  for (std::size_t i = 0; i < writers.size(); ++i) {
+    writers[i].close();
+    print_path(o.outputs[i]);
+  }
   return done;
 }
 
@@ -80,7 +85,7 @@ int run(const Options& o) {
 std::function<int()> add_image_convert(CLI::App& app) {
   static Options options;
   app.add_option("input", options.input, "An image")->required();
-  app.add_option("-o,--output", options.output, "Where to; its extension says the format")->required();
+  add_outputs(app, options.outputs, "Where to; its extension says the format")->required();
   app.add_option("--depth", options.depth, "auto, 8, 16, half or float, of those that the format has")
       ->check(CLI::IsMember(depth_words()))
       ->capture_default_str();

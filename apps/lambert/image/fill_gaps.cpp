@@ -18,7 +18,7 @@ struct Options : FilterOptions {
 
 int run(const Options& o) {
   const GapFilling method = gap_filling(o.method);
-  const Image atlas = read_image(o.input);
+  const Image atlas = read_input(o);
   write_outputs(o, gaps_filled(atlas, o.mask.empty() ? coverage_of(atlas) : read_image(o.mask), method));
   return done;
 }

@@ -21,9 +21,10 @@ struct FilterOptions {
 /// IN and -o OUT…
 void add_image_paths(CLI::App& app, FilterOptions& o);
 void add_edge_option(CLI::App& app, FilterOptions& o);
+/// Throws Error, before it reads, when an output could not be written.
+Image read_input(const FilterOptions& o);
 /// To every output; prints the paths.
 void write_outputs(const FilterOptions& o, Image image);
-void write_and_print(const std::string& path, const Image& image);
 
 /// "5" for both axes or "5x3", each from `low` to `high`. Throws Error.
 Vec2 parse_per_axis(const std::string& flag, const std::string& text, float low, float high);

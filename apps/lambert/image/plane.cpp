@@ -3,6 +3,7 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../outputs.h"
 
 #include "lambert/image/filter/textured_plane.h"
 #include "lambert/image/io.h"
@@ -55,10 +56,7 @@ std::function<int()> add_plane(CLI::App& app) {
   static Options o;
   o.edge = "repeat";
   app.add_option("input", o.input, "The texture; a checkerboard when there is none")->type_name("IN");
-  app.add_option("-o,--output", o.outputs, "Image files to write")
-      ->required()
-      ->type_name("OUT")
-      ->allow_extra_args(false);
+  add_outputs(app, o.outputs, "Image to write, by extension")->required();
   app.add_option("--lookup", o.lookups, "Side by side, in this order: " + listed(lookup_method_names()) + " (all)")
       ->delimiter(',')
       ->allow_extra_args(false);

@@ -52,7 +52,7 @@ int run(const Options& o) {
                           .edge = edge_mode(o.edge)};
   if (!o.radius.empty()) settings.filter.radius = parse_per_axis("--radius", o.radius, 0.1f, 64);
   if (o.sigma) settings.filter.sigma = *o.sigma;
-  const Image image = read_image(o.input);
+  const Image image = read_input(o);
   const Window from = image.display_window();
   const auto by_scale = [&](int size) {
     return static_cast<int>(std::clamp<std::int64_t>(std::llround(static_cast<double>(*o.scale) * size), 1, 65536));

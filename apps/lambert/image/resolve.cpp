@@ -22,7 +22,7 @@ struct Options : FilterOptions {
 int run(const Options& o) {
   if (o.filter != "box" && o.filter != "bartlett")
     throw Error("--filter: unknown kernel " + unknown_word(o.filter, {"box", "bartlett"}));
-  const Image samples = read_image(o.input);
+  const Image samples = read_input(o);
   write_outputs(o, resolved(samples, o.factor, o.filter == "box" ? ResolveKernel::box : ResolveKernel::bartlett));
   return done;
 }

@@ -3,12 +3,12 @@
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
 #include "lambert/base/number.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/polygon/predicates/scale.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -20,22 +20,11 @@ using namespace draw;
 
 namespace {
 
-std::string standard_input() {
-  constexpr std::size_t most = std::size_t{1} << 32;
-  std::string text;
-  std::array<char, 65536> block;
-  while (const std::size_t count = std::fread(block.data(), 1, block.size(), stdin)) {
-    text.append(block.data(), count);
-    if (text.size() > most) throw Error("standard input: more than 4 GB");
-  }
-  return text;
-}
-
 PolygonInput read_input(const std::string& file) {
   if (file == "-") {
-    const std::string text = standard_input(), name = "standard input";
-    const FileFormat format = format_of_content(text);
-    return {name, parse_features(text, name, format), format};
+    const MappedFile input = open_input(file);
+    const FileFormat format = format_of_content(input.text());
+    return {input_name(file), parse_features(input.text(), input_name(file), format), format};
   }
   const auto named = format_of(file);
   return {file, read_features(file), named ? *named : format_of_content(MappedFile(file).text())};

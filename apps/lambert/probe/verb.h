@@ -69,9 +69,11 @@ struct RotationOptions {
 void add_rotation_options(CLI::App& app, RotationOptions& o);
 Mat3 rotation_of(const RotationOptions& o);
 
-/// Writes the picture, or the six of `files`, and prints paths. Throws Error when "{}" stands in the name and should
-/// not, or the other way round.
-void write_probe(const std::string& file, probe::Probe probe, probe::Arrangement arrangement);
+/// Throws Error when one of them could not be written.
+void check_probes(const std::vector<std::string>& outputs);
+/// Writes the picture, or the six of files, to each of `outputs`, and prints paths. Throws Error when "{}" stands in a
+/// name and should not, or the other way round.
+void write_probe(const std::vector<std::string>& outputs, probe::Probe probe, probe::Arrangement arrangement);
 nlohmann::ordered_json json_of(Vec3 v);
 nlohmann::ordered_json json_of(Rgb c);
 /// Three finite numbers, or one that stands for all three. Throws Error naming the flag.
