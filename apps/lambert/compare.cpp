@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <limits>
 #include <memory>
 
 namespace lambert::cli {
@@ -36,11 +37,14 @@ std::function<int()> add_compare(CLI::App& app) {
   app.add_option("image", o->image, "The image to judge")->required()->type_name("IMAGE");
   app.add_option("reference", o->reference, "What it should be")->required()->type_name("REFERENCE");
   const auto add_thresholds = [&](const std::string& name, Thresholds& t) {
-    app.add_option("--" + name, t.each,
-                   "Largest difference of a pixel's channels, or value of --metric, without a " + name)
-        ->capture_default_str();
-    app.add_option("--" + name + "-percent", t.percent, "Share of the pixels that may pass it")->capture_default_str();
-    app.add_option("--hard-" + name, t.hard, "What no pixel may pass");
+    expect_number(app.add_option("--" + name, t.each,
+                                 "Largest difference of a pixel's channels, or value of --metric, without a " + name)
+                      ->capture_default_str(),
+                  {"a finite number", std::numeric_limits<double>::lowest()});
+    expect_number(app.add_option("--" + name + "-percent", t.percent, "Share of the pixels that may pass it")
+                      ->capture_default_str(),
+                  {"a number from 0 to 100", 0, 100.000001});
+    expect_number(app.add_option("--hard-" + name, t.hard, "What no pixel may pass"), {"a number, 0 or more"});
   };
   add_thresholds("fail", o->fail);
   add_thresholds("warn", o->warn);
@@ -61,7 +65,9 @@ std::function<int()> add_compare(CLI::App& app) {
   app.add_option("--heat-of", o->heat_of, "What it shows")
       ->check(CLI::IsMember({"error", "flip", "ssim", "z"}))
       ->capture_default_str();
-  app.add_option("--heat-top", o->heat_top, "The value of its brightest colour; 0 finds one")->capture_default_str();
+  expect_number(app.add_option("--heat-top", o->heat_top, "The value of its brightest colour; 0 finds one")
+                    ->capture_default_str(),
+                {"a number, 0 or more"});
   app.add_flag("--json", o->json, "Print JSON");
   app.add_flag("-q,--quiet", o->quiet, "Print nothing");
   app.footer(

@@ -66,7 +66,7 @@ std::function<int()> add_denoise(CLI::App& app) {
       app.add_option("--firefly", o.firefly,
                      "A pixel is at most this times the brightest around it, outliers apart; 0: leave fireflies")
           ->capture_default_str(),
-      {.expected = "a number, 0 or more"});
+      {.expected = "a number from 0 to 1e30", .below = 1.000001e30});
   app.add_option("--oidn-library", o.library, "Open Image Denoise, if it is not where the system looks")
       ->type_name("FILE");
   expect_number(app.add_option("--threads", o.threads, "0: all cores")->capture_default_str(),

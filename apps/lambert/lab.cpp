@@ -1,4 +1,5 @@
 #include "command.h"
+#include "number_range.h"
 #include "outputs.h"
 #include "print_path.h"
 
@@ -67,7 +68,7 @@ std::function<int()> add_lab(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.add_option("name", o->name, "Which one; without it they are listed")->type_name("NAME");
   add_outputs(app, o->outputs, "The picture, by extension; .svg for plots (NAME.png by default)");
-  app.add_option("--seed", o->settings.seed, "Of all random numbers")->capture_default_str();
+  add_seed(app, o->settings.seed, "Of all random numbers");
   app.add_flag("--json", o->json, "Print the facts as JSON");
   app.footer(list() + "\n  lambert lab comb -o comb.png\n  lambert lab error -o error.svg");
   return [o] { return run(*o); };

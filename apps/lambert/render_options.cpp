@@ -22,11 +22,6 @@ namespace {
 
 constexpr int default_samples = 64, most_samples = std::numeric_limits<int>::max() / 2, most_threads = 4096;
 
-NumberRange whole_number(int first, int last) {
-  return {
-      .expected = fmt::format("a whole number from {} to {}", first, last), .low = 1.0 * first, .below = last + 1.0};
-}
-
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
 /// Whole numbers parted by `separators`, one character between each two: "1920x1080" by "x".
@@ -82,8 +77,7 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
   expect_number(app.add_option("--target-error", o.target_error,
                                "Spend samples where needed until a pixel's relative error is this (0.02: two percent)"),
                 {.expected = "a number, 0 or more"});
-  expect_number(app.add_option("--seed", o.seed, "Another seed, another noise")->capture_default_str(),
-                {.expected = "a whole number from 0 to 18446744073709551615", .below = 0x1p64});
+  add_seed(app, o.seed, "Another seed, another noise");
   expect_number(app.add_option("--threads", o.threads, "0: all cores")->capture_default_str(),
                 whole_number(0, most_threads));
   app.add_option("--resolution", o.resolution, "WIDTHxHEIGHT in pixels");

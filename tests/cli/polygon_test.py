@@ -255,6 +255,15 @@ class Decomposition(Polygon):
         self.assertEqual(done.stdout.split(), [str(self.folder / n) for n in ("m.ply", "m.wkt", "m.svg")])
         self.assertIn("triangles   17\n", self.lambert("info", "m.ply").stdout)
 
+    def test_an_unknown_extension_is_told_the_known_ones_before_anything_is_written(self):
+        done = self.polygon("triangulate", EXAMPLES / "room.geojson", "-o", "m.ply", "-o", "m.stl", status=1)
+        for known in ("m.stl: unknown extension '.stl'", ".geojson", ".svg", ".ply", ".obj", ".glb"):
+            self.assertIn(known, done.stderr)
+        self.assertEqual(self.files(), [])
+        done = self.polygon("convex", EXAMPLES / "room.geojson", "-o", "m.ply", status=1)
+        self.assertIn(".svg", done.stderr)
+        self.assertNotIn(".glb", done.stderr)
+
 
 class Filling(Polygon):
     # rows: PG-34

@@ -142,7 +142,7 @@ std::function<int()> add_hdr_expose(CLI::App& app) {
   expect_number(
       app.add_option("--read-noise", o.noise.read_noise, "Noise: standard deviation of reading, in electrons"),
       {.expected = "a number of electrons from 0"});
-  app.add_option("--seed", o.seed, "Of noise and shake")->capture_default_str();
+  add_seed(app, o.seed, "Of noise and shake");
   expect_number(
       app.add_option("--shake", o.shake, "Camera from the hand: shifts of up to so many pixels after the first"),
       {.expected = "a number of pixels from 0 to 10000", .below = 10001});

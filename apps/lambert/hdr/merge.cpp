@@ -149,7 +149,7 @@ std::function<int()> add_hdr_merge(CLI::App& app) {
           ->capture_default_str(),
       {.expected = "a number above 0", .low = 1e-6});
   expect_number(app.add_option("--scale", o.scale, "Multiply the radiance by this")->capture_default_str(),
-                {.expected = "a number above 0", .low = 1e-30});
+                {.expected = "a number from 1e-30 to 1e30", .low = 1e-30, .below = 1.000001e30});
   app.add_option("--compression", o.compression, "Of OpenEXR files; piz suits the grain of photographs")
       ->check(CLI::IsMember(compression_words()))
       ->capture_default_str();

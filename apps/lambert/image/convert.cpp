@@ -94,14 +94,15 @@ std::function<int()> add_image_convert(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--channels", options.channels, "Only these, in this order: R,G,B or new=old")->delimiter(',');
   app.add_option("--layer", options.layer, "Only the channels of this layer, without its name");
-  app.add_option("--exposure", options.exposure, "Doubles light this many times; not alpha, depth and such")
-      ->check(CLI::Range(-1000.0, 1000.0))
-      ->capture_default_str();
+  expect_number(
+      app.add_option("--exposure", options.exposure, "Doubles light this many times; not alpha, depth and such")
+          ->capture_default_str(),
+      {.expected = "a number of stops from -1000 to 1000", .low = -1000, .below = 1000.0001});
   app.add_option("--crop-to", options.crop_to,
                  "display: all of what is shown and nothing else; data: show what there is, whatever was shown")
       ->check(CLI::IsMember({"display", "data"}));
-  app.add_option("--quality", options.quality, "Of JPEG (92 without it) and WebP (lossless without it)")
-      ->check(CLI::Range(1, 100));
+  expect_number(app.add_option("--quality", options.quality, "Of JPEG (92 without it) and WebP (lossless without it)"),
+                whole_number(1, 100));
   app.footer(
       "OpenEXR keeps all channels, windows and attributes; other formats hold the display window, and its colours.\n"
       "Display formats are clipped to [0, 1] and get sRGB's curve, but TIFF with --depth float, which stays linear.");

@@ -72,17 +72,18 @@ void add_fact_outputs(CLI::App& app, PolygonOptions& o) {
   add_pictures(app, o);
 }
 
+void check_geometry_outputs(const PolygonOptions& o) {
+  std::vector<std::string> pictures, others = o.meshes;
+  others.insert(others.end(), {".svg", ".png"});
+  for (const std::string& path : other_outputs(o, pictures))
+    if (path != "-" && std::ranges::find(o.meshes, extension_of(path)) == o.meshes.end()) output_format(path, others);
+}
+
 void write_geometry(const PolygonOptions& o, FileFormat like, const Features& result, const Picture& picture) {
   std::vector<std::string> pictures;
   const std::vector<std::string> files = other_outputs(o, pictures);
-  bool print = files.empty() && !o.mesh_written;
-  for (const std::string& path : files) {
-    if (path == "-") {
-      print = true;
-    } else {
-      output_format(path);
-    }
-  }
+  check_geometry_outputs(o);
+  const bool print = (files.empty() && !o.mesh_written) || std::ranges::find(files, "-") != files.end();
   const FileFormat format = o.format.empty() ? like : format_named(o.format);
   for (const std::string& path : files)
     if (path != "-") write_features(path, result);

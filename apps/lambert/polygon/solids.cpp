@@ -2,6 +2,7 @@
 #include "places.h"
 
 #include "../command.h"
+#include "../number_range.h"
 
 #include "lambert/base/error.h"
 #include "lambert/formats/write_mesh.h"
@@ -99,7 +100,9 @@ std::function<int()> add_extrude(CLI::App& app) {
   static ExtrudeOptions options;
   add_input_options(app, options);
   app.add_option("--along", options.along, "Where to move the polygon, X,Y,Z")->capture_default_str();
-  app.add_option("--crease", options.crease, "Sides that turn by fewer degrees look smooth")->capture_default_str();
+  expect_number(
+      app.add_option("--crease", options.crease, "Sides that turn by fewer degrees look smooth")->capture_default_str(),
+      angle_in_degrees(0, 180));
   add_solid_outputs(app, options);
   app.footer("A closed prism with caps, normals and texture coordinates.");
   return [] { return run_extrude(options); };
@@ -112,10 +115,15 @@ std::function<int()> add_revolve(CLI::App& app) {
   app.add_option("--origin", options.origin, "A point of the axis")->capture_default_str();
   app.add_option("--reference", options.reference, "Where the x of a polygon points at the start")
       ->capture_default_str();
-  app.add_option("--sweep", options.sweep, "Degrees to turn by")->capture_default_str();
-  app.add_option("--start", options.start, "Degrees to start at")->capture_default_str();
-  app.add_option("--steps", options.steps, "Positions around")->capture_default_str();
-  app.add_option("--crease", options.crease, "Strips that turn by fewer degrees look smooth")->capture_default_str();
+  expect_number(app.add_option("--sweep", options.sweep, "Degrees to turn by")->capture_default_str(),
+                {.expected = "an angle above 0 and at most 360 degrees", .low = 1e-6, .below = 360.00001});
+  expect_number(app.add_option("--start", options.start, "Degrees to start at")->capture_default_str(),
+                angle_in_degrees(-360, 360));
+  expect_number(app.add_option("--steps", options.steps, "Positions around")->capture_default_str(),
+                whole_number(1, 1 << 24));
+  expect_number(app.add_option("--crease", options.crease, "Strips that turn by fewer degrees look smooth")
+                    ->capture_default_str(),
+                angle_in_degrees(0, 180));
   add_solid_outputs(app, options);
   app.footer(
       "Of a polygon, x is the distance from the axis and y the height: a solid. A line, which may have a third\n"

@@ -20,7 +20,8 @@ struct PolygonOptions {
   std::vector<std::string> files, outputs;
   std::string rule = "even-odd", format, svg, png;
   bool json = false;
-  bool mesh_written = false;  ///< the result is in a file already
+  std::vector<std::string> meshes;  ///< extensions of meshes that -o may name
+  bool mesh_written = false;        ///< the result is in a file already
 };
 
 /// FILE…, and --rule where `with_rule`.
@@ -50,6 +51,8 @@ std::vector<PolygonInput> read_inputs(const PolygonOptions& o, Uses uses);
 polygon::Features joined(const std::vector<PolygonInput>& inputs);
 polygon::FillRule fill_rule(const PolygonOptions& o);
 
+/// Throws Error when -o names a file that is neither geometry, a picture nor a mesh.
+void check_geometry_outputs(const PolygonOptions& o);
 /// Writes the files that were asked for and prints their paths; prints the geometry itself when no file is for it.
 /// The format printed is that of --to, else that of the first input.
 void write_geometry(const PolygonOptions& o, polygon::FileFormat like, const polygon::Features& result,

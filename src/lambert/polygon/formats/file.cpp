@@ -71,10 +71,11 @@ std::string features_text(const Features& features, FileFormat format) {
   return vertex_list_text(features);
 }
 
-FileFormat output_format(const std::filesystem::path& path) {
+FileFormat output_format(const std::filesystem::path& path, const std::vector<std::string>& others) {
   if (const auto format = format_of(path)) return *format;
   std::vector<std::string> known;
   for (const Extension& e : extensions) known.emplace_back(e.name);
+  known.insert(known.end(), others.begin(), others.end());
   throw Error(path.string() + ": unknown extension " + unknown_word(path.extension().string(), known));
 }
 
