@@ -3,7 +3,7 @@
 #include "number_range.h"
 #include "outputs.h"
 #include "print_path.h"
-#include "progress_report.h"
+#include "work.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
@@ -29,10 +29,10 @@ namespace {
 using namespace composite;
 
 struct Options {
-  std::string expression, frames, resolution, depth = "auto", compression = "zip", print, stats, progress;
+  std::string expression, frames, resolution, depth = "auto", compression = "zip", print, stats;
   std::vector<std::string> outputs;
   std::size_t threads = 0;
-  bool quiet = false;
+  WorkOptions work;
 };
 
 struct Source {
@@ -91,7 +91,7 @@ int run(const Options& o) {
   if (o.threads > 0) set_thread_count(o.threads);
   CompositeSettings settings{.display = display_of(o), .name = source.name, .text = source.text};
   settings.stop = stop_on_interrupt();
-  const ProgressSink progress = o.quiet ? ProgressSink() : progress_sink(o.progress);
+  const FractionSink progress = start_work(o.work);
   const auto start = std::chrono::steady_clock::now();
   std::size_t bytes = 0;
   double frames_done = 0;
@@ -100,12 +100,8 @@ int run(const Options& o) {
     std::vector<std::filesystem::path> outputs;
     for (const std::string& path : o.outputs) outputs.emplace_back(name_at_frame(path, frame));
     settings.frame = frame;
-    if (progress)
-      settings.progress = [&](double fraction) {
-        const double all = (frames_done + fraction) / static_cast<double>(frames.size()),
-                     elapsed = seconds_since(start);
-        progress({.fraction = all, .elapsed_seconds = elapsed, .remaining_seconds = elapsed / all * (1 - all)});
-      };
+    settings.progress = part_of(progress, frames_done / static_cast<double>(frames.size()),
+                                (frames_done + 1) / static_cast<double>(frames.size()));
     const CompositeReport report = composite_to_files(source.tree, outputs, write, settings);
     if (report.stopped) {
       log::warn(fmt::format("interrupted in frame {}, which is not written", frame));
@@ -114,8 +110,7 @@ int run(const Options& o) {
     ++frames_done;
     bytes = std::max(bytes, report.bytes_in_bands);
     bands += report.bands;
-    if (!o.quiet)
-      for (const auto& path : outputs) print_path(path);
+    for (const auto& path : outputs) print_path(path);
   }
   if (!o.stats.empty()) {
     const nlohmann::ordered_json facts{
@@ -162,8 +157,7 @@ std::function<int()> add_composite(CLI::App& app) {
   add_output(app, "--stats", options.stats, "Write times and memory as JSON");
   expect_number(app.add_option("--threads", options.threads, "Threads; 0 is one for each processor"),
                 {.expected = "a number from 0 to 1024", .below = 1025});
-  app.add_option("--progress", options.progress, "tty, ndjson or none")->check(CLI::IsMember(progress_styles()));
-  app.add_flag("--quiet", options.quiet, "Print no paths and no progress");
+  add_work_options(app, options.work);
   app.footer(explanation());
   return [] { return run(options); };
 }

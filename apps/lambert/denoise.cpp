@@ -2,6 +2,7 @@
 #include "number_range.h"
 #include "outputs.h"
 #include "print_path.h"
+#include "work.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/parallel.h"
@@ -28,6 +29,7 @@ struct DenoiseOptions {
   std::size_t threads = 0;
   float exposure = 0;
   std::string tonemap = "linear";
+  WorkOptions work;
 };
 
 int run(const DenoiseOptions& o) {
@@ -37,6 +39,8 @@ int run(const DenoiseOptions& o) {
   const ToneSettings tone{.op = tone_operator(o.tonemap), .exposure = o.exposure};
   check_images(o.outputs);
   set_thread_count(o.threads);
+  const FractionSink progress = start_work(o.work);
+  settings.progress = part_of(progress, 0.05, 0.95);
   const Image noisy = read_image(o.input);
   Image image;
   try {
@@ -48,6 +52,7 @@ int run(const DenoiseOptions& o) {
     write_image(path, is_radiance_format(path) ? image : tonemap(image, tone));
     print_path(path);
   }
+  if (progress) progress(1);
   return done;
 }
 
@@ -75,6 +80,7 @@ std::function<int()> add_denoise(CLI::App& app) {
                 {.expected = "a number of stops between -100 and 100", .low = -100, .below = 100});
   app.add_option("--tonemap", o.tonemap, fmt::format("For display formats: {}", fmt::join(tone_operator_names(), ", ")))
       ->capture_default_str();
+  add_work_options(app, o.work);
   app.footer(
       "Examples:\n"
       "  lambert render box.pbrt --spp 16 --aov denoising -o noisy.exr\n"

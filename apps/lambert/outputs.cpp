@@ -34,10 +34,12 @@ void check_images(const std::vector<std::string>& files, const WriteOptions& opt
   }
 }
 
-void write_images(const std::vector<std::string>& files, const Image& image, const WriteOptions& options) {
-  for (const std::string& file : files) {
-    write_image(file, image, options);
-    print_path(file);
+void write_images(const std::vector<std::string>& files, const Image& image, const WriteOptions& options,
+                  const FractionSink& progress) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    write_image(files[i], image, options);
+    print_path(files[i]);
+    if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(files.size()));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "cli_fwd.h"
 
+#include "lambert/base/progress.h"
 #include "lambert/image/io.h"
 
 #include <string>
@@ -19,6 +20,7 @@ CLI::Option* add_outputs(CLI::App& app, std::vector<std::string>& files, const s
 /// Throws Error, before any work is done, when an image could not be written to one of them.
 void check_images(const std::vector<std::string>& files, const WriteOptions& options = {});
 /// The same image to each, by its extension; prints the paths.
-void write_images(const std::vector<std::string>& files, const Image& image, const WriteOptions& options = {});
+void write_images(const std::vector<std::string>& files, const Image& image, const WriteOptions& options = {},
+                  const FractionSink& progress = {});
 
 }  // namespace lambert::cli

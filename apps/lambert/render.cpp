@@ -2,7 +2,6 @@
 #include "interrupt.h"
 #include "load_scene.h"
 #include "print_path.h"
-#include "progress_report.h"
 #include "render_options.h"
 
 #include "lambert/base/error.h"
@@ -99,9 +98,8 @@ int interrupted_with_nothing() {
 
 int run(const RenderOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  if (options.quiet) log::set_level(log::Level::error);
   if (options.verbose) log::set_level(log::Level::debug);
-  const ProgressSink progress = options.quiet ? ProgressSink() : progress_sink(options.progress);
+  const ProgressSink progress = progress_of(options.work);
   const std::vector<std::string> paths = output_paths(options);
   if (!options.aovs.empty() &&
       std::none_of(paths.begin(), paths.end(), [](const auto& path) { return writes_exr(path); }))

@@ -98,9 +98,8 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
   app.add_option("--tonemap", o.tonemap, "For display formats: " + joined(tone_operator_names()))
       ->capture_default_str();
   app.add_flag("--denoise", o.denoise, "Remove the noise that is left (see 'lambert denoise'); biased");
-  app.add_option("--progress", o.progress, "tty, ndjson or none; by default a bar if standard error is a terminal");
+  add_work_options(app, o.work);
   add_output(app, "--stats", o.stats, "Write times, counts and rates as JSON");
-  app.add_flag("--quiet", o.quiet, "Say nothing but errors");
   app.add_flag("--verbose", o.verbose, "Say more");
 }
 

@@ -8,6 +8,7 @@
 #include "lambert/render/render.h"
 
 #include "load_scene.h"
+#include "work.h"
 
 #include <optional>
 #include <string>
@@ -28,8 +29,9 @@ struct RenderOptions {
   std::size_t threads = 0;
   int pass_size = 0;
   std::string exposure = "0", tonemap = "linear";
-  std::string progress, stats;
-  bool quiet = false, verbose = false, denoise = false;
+  std::string stats;
+  WorkOptions work;
+  bool verbose = false, denoise = false;
 };
 
 void add_render_options(CLI::App& app, RenderOptions& options);

@@ -70,7 +70,7 @@ class Queries(Polygon):
         small = self.write("a.wkt", "POLYGON ((0 0, 1e-200 0, 1e-200 1e-200, 0 1e-200, 0 0))")
         self.assertIn("beyond the range of numbers", self.polygon("area", small, status=1).stderr)
         both = self.write("a.wkt", "POLYGON ((0 0, 1e150 0, 1e-150 1e-150, 0 0))")
-        self.assertIn("note: a.wkt: beside coordinates of 1e+150", self.polygon("area", both).stderr.replace("1e150", "1e+150"))
+        self.assertIn("info: a.wkt: beside coordinates of 1e+150", self.polygon("area", both).stderr.replace("1e150", "1e+150"))
 
     def test_a_bow_tie_has_no_normal(self):
         done = self.polygon("normal", self.write("a.wkt", "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))"), status=1)
@@ -90,7 +90,7 @@ class Queries(Polygon):
         for command, left_out in parts.items():
             with self.subTest(command=command):
                 notes = set(self.polygon(*command.split(), mixed).stderr.splitlines())
-                self.assertEqual(notes, {f"lambert: note: a.wkt: left out: {left_out}"} if left_out else set())
+                self.assertEqual(notes, {f"lambert: info: a.wkt: left out: {left_out}"} if left_out else set())
         self.assertEqual(self.polygon("union", self.write("b.wkt", SQUARE)).stderr, "")
 
     def test_fill_refuses_what_its_table_cannot_hold(self):

@@ -31,6 +31,7 @@ struct Options {
   int bits = 8;
   std::uint64_t seed = 0;
   hdr::SensorNoise noise;
+  WorkOptions work;
 };
 
 /// "-6..6:2", "-2..2" in steps of 1, or "-3,0,4".
@@ -90,6 +91,7 @@ int run(const Options& o) {
     encoder_for(output, o.bits);
     check_images({output});
   }
+  const FractionSink progress = start_work(o.work);
   const Image map = read_image(o.map);
   const hdr::Response response = hdr::response_named(o.response, map.has_colour() ? 3 : 1, 65536);
   std::string list = "# filename exposure_time_s   (pixel = floor(top f(min(1, L t)) + 0.5), f = " + o.response + ")\n";
@@ -104,6 +106,7 @@ int run(const Options& o) {
       settings.turn = o.turn * random(2) * 0.017453292519943295;
     }
     DisplayImage photograph = hdr::expose(map, response, settings);
+    if (progress) progress((static_cast<double>(i) + 0.5) / static_cast<double>(stops.size()));
     photograph.exif = Exif{.exposure_time = settings.exposure};
     for (const std::string& output : o.outputs) {
       const std::string path = o.bracket.empty() ? output : numbered(output, i);
@@ -115,6 +118,7 @@ int run(const Options& o) {
       list += "\n";
     }
   }
+  if (progress) progress(1);
   if (!o.list.empty()) {
     write_atomically(o.list, list);
     print_path(o.list);
@@ -148,6 +152,7 @@ std::function<int()> add_hdr_expose(CLI::App& app) {
       {.expected = "a number of pixels from 0 to 10000", .below = 10001});
   expect_number(app.add_option("--turn", o.turn, "And turns of up to so many degrees"),
                 {.expected = "a number of degrees from 0 to 180", .below = 180.001});
+  add_work_options(app, o.work);
   return [] { return run(o); };
 }
 

@@ -31,7 +31,7 @@ struct Options {
   hdr::SensorNoise noise;
   hdr::GhostSettings ghost;
   double scale = 1;
-  bool json = false, quiet = false;
+  bool json = false;
 };
 
 nlohmann::ordered_json facts_of(const LoadedStack& loaded, const hdr::Recovery& recovery, const hdr::Merged& merged,
@@ -89,7 +89,8 @@ int run(const Options& o) {
   const hdr::Weighting weights = hdr::weighting(o.weights);
   if (o.ghosts != "auto" && o.ghosts != "off")
     throw Error("unknown --ghosts " + unknown_word(o.ghosts, {"auto", "off"}));
-  const LoadedStack loaded = load_stack(o.stack);
+  const FractionSink progress = start_work(o.stack.work);
+  const LoadedStack loaded = load_stack(o.stack, part_of(progress, 0, 0.5));
   const hdr::Recovery recovery = response_for(o.recovery, loaded.stack);
   hdr::GhostMasks masks;
   if (o.ghosts == "auto" && loaded.stack.frames.size() > 1) {
@@ -98,8 +99,10 @@ int run(const Options& o) {
     settings.noise = recovery.noise;
     masks = hdr::find_ghosts(loaded.stack, recovery.response, settings);
   }
-  hdr::Merged merged = hdr::merge(loaded.stack, recovery.response,
-                                  {.weights = weights, .code_noise = recovery.noise, .noise = o.noise}, masks);
+  hdr::Merged merged = hdr::merge(
+      loaded.stack, recovery.response,
+      {.weights = weights, .code_noise = recovery.noise, .noise = o.noise, .progress = part_of(progress, 0.7, 0.85)},
+      masks);
   if (o.scale != 1)
     for (float& v : merged.image.pixels()) v *= static_cast<float>(o.scale);
   for (const std::string& path : o.outputs)
@@ -113,9 +116,10 @@ int run(const Options& o) {
     plot_response(o.plot, recovery.response);
     written.push_back(o.plot);
   }
+  if (progress) progress(1);
   nlohmann::ordered_json facts = facts_of(loaded, recovery, merged, masks.count());
   facts["written"] = written;
-  if (!o.quiet) say(facts);
+  say(facts);
   if (o.json) {
     const hdr::RadianceRange range = hdr::radiance_range(merged.image);
     facts["max"] = range.max, facts["min_positive"] = range.min_positive, facts["stops"] = range.stops();
@@ -154,7 +158,6 @@ std::function<int()> add_hdr_merge(CLI::App& app) {
       ->check(CLI::IsMember(compression_words()))
       ->capture_default_str();
   app.add_flag("--json", o.json, "Print what was found as JSON");
-  app.add_flag("-q,--quiet", o.quiet, "Say nothing but errors");
   app.footer(
       "Exposures come from --times, --stops, --list or the EXIF data of the photographs, f-number and ISO included.\n"
       "Radiance 1 saturates a photograph of exposure 1: time (ISO / 100) / N^2, or the time alone where only that is "

@@ -24,8 +24,10 @@ struct Options {
 int run(const Options& o) {
   for (const std::string& path : o.outputs) check_writable(path);
   if (!o.plot.empty()) check_writable(o.plot);
-  const LoadedStack loaded = load_stack(o.stack);
+  const FractionSink progress = start_work(o.stack.work);
+  const LoadedStack loaded = load_stack(o.stack, part_of(progress, 0, 0.7));
   const hdr::Recovery recovery = response_for(o.recovery, loaded.stack);
+  if (progress) progress(1);
   const std::string csv = hdr::response_csv(
       recovery.response, o.table == "code" ? hdr::ResponseTable::by_code : hdr::ResponseTable::by_exposure);
   if (recovery.samples > 0)

@@ -4,6 +4,7 @@
 #include "../number_range.h"
 #include "../outputs.h"
 #include "../print_path.h"
+#include "../work.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"
@@ -27,6 +28,7 @@ struct Options {
   std::string depth = "auto", compression = "zip";
   std::optional<int> quality;
   double exposure = 0;
+  WorkOptions work;
 };
 
 /// The rows [y0, y1) of `window`, which need not lie in the data window.
@@ -45,6 +47,7 @@ int run(const Options& o) {
   const WriteOptions options{
       .depth = parse_depth(o.depth), .compression = parse_compression(o.compression), .quality = o.quality};
   check_images(o.outputs, options);
+  const FractionSink progress = start_work(o.work);
   ImageReader reader(o.input);
   ImageHeader header = reader.header();
   if (header.parts > 1)
@@ -72,11 +75,13 @@ int run(const Options& o) {
       for (std::size_t i = 0; i < chosen.size() / count; ++i) chosen[i * count + c] = scale * from[i * stored];
     }
     for (ImageWriter& writer : writers) writer.write(chosen);
+    if (progress) progress(0.9 * (y + band.height()) / window.height);
   }
   for (std::size_t i = 0; i < writers.size(); ++i) {
     writers[i].close();
     print_path(o.outputs[i]);
   }
+  if (progress) progress(1);
   return done;
 }
 
@@ -103,6 +108,7 @@ std::function<int()> add_image_convert(CLI::App& app) {
       ->check(CLI::IsMember({"display", "data"}));
   expect_number(app.add_option("--quality", options.quality, "Of JPEG (92 without it) and WebP (lossless without it)"),
                 whole_number(1, 100));
+  add_work_options(app, options.work);
   app.footer(
       "OpenEXR keeps all channels, windows and attributes; other formats hold the display window, and its colours.\n"
       "Display formats are clipped to [0, 1] and get sRGB's curve, but TIFF with --depth float, which stays linear.");

@@ -12,20 +12,23 @@ namespace lambert::cli {
 void add_image_paths(CLI::App& app, FilterOptions& o) {
   app.add_option("input", o.input, "The image")->required()->type_name("IN");
   add_outputs(app, o.outputs, "Image to write, by extension")->required();
+  add_work_options(app, o.work);
 }
 
 void add_edge_option(CLI::App& app, FilterOptions& o) {
   app.add_option("--edge", o.edge, "What stands around the image: " + listed(edge_mode_names()))->capture_default_str();
 }
 
-Image read_input(const FilterOptions& o) {
+Image read_input(const FilterOptions& o, const FractionSink& progress) {
   check_images(o.outputs);
-  return read_image(o.input);
+  Image image = read_image(o.input);
+  if (progress) progress(0.3);
+  return image;
 }
 
-void write_outputs(const FilterOptions& o, Image image) {
+void write_outputs(const FilterOptions& o, Image image, const FractionSink& progress) {
   image.metadata["software"] = "lambert " LAMBERT_VERSION;
-  write_images(o.outputs, image);
+  write_images(o.outputs, image, {}, part_of(progress, 0.7, 1));
 }
 
 Vec2 parse_per_axis(const std::string& flag, const std::string& text, float low, float high) {

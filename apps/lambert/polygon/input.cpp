@@ -2,6 +2,7 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
+#include "lambert/base/log.h"
 #include "lambert/base/number.h"
 #include "lambert/base/standard_streams.h"
 #include "lambert/polygon/predicates/scale.h"
@@ -45,7 +46,7 @@ void note_left_out(const PolygonInput& input, Uses uses) {
   if (lines > 0 && !uses.lines) parts.push_back(counted(lines, "line"));
   if (points > 0 && !uses.points) parts.push_back(counted(points, "point"));
   if (heights) parts.emplace_back("third coordinates");
-  if (!parts.empty()) fmt::print(stderr, "lambert: note: {}: left out: {}\n", input.name, fmt::join(parts, ", "));
+  if (!parts.empty()) log::info(fmt::format("{}: left out: {}", input.name, fmt::join(parts, ", ")));
 }
 
 /// By the grid of boolean.h.
@@ -53,9 +54,9 @@ void note_rounding(const PolygonInput& input) {
   Sizes sizes;
   for (const Feature& feature : input.features.features) sizes.add(rings_of(feature));
   if (sizes.most > 0 && std::ilogb(sizes.least) < std::ilogb(sizes.most) - 420)
-    fmt::print(stderr, "lambert: note: {}: beside coordinates of {} those of {} are rounded to a multiple of {}\n",
-               input.name, number_text(sizes.most), number_text(sizes.least),
-               number_text(std::ldexp(1.0, std::ilogb(sizes.most) - 471)));
+    log::info(fmt::format("{}: beside coordinates of {} those of {} are rounded to a multiple of {}", input.name,
+                          number_text(sizes.most), number_text(sizes.least),
+                          number_text(std::ldexp(1.0, std::ilogb(sizes.most) - 471))));
 }
 
 }  // namespace

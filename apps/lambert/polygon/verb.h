@@ -2,6 +2,7 @@
 /// What the verbs of `lambert polygon` share.
 
 #include "../cli_fwd.h"
+#include "../work.h"
 
 #include "lambert/draw/picture.h"
 #include "lambert/polygon/box.h"
@@ -20,6 +21,7 @@ struct PolygonOptions {
   std::vector<std::string> files, outputs;
   std::string rule = "even-odd", format, svg, png;
   bool json = false;
+  WorkOptions work;
   std::vector<std::string> meshes;  ///< extensions of meshes that -o may name
   bool mesh_written = false;        ///< the result is in a file already
 };

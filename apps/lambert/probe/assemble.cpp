@@ -29,6 +29,7 @@ struct Options {
   std::vector<float> reflectivity;
   double ball_distance = 0, camera_radius = 25, rim = 150, search = 8;
   int size = 512;
+  WorkOptions work;
   bool find = false, as_given = false, keep_exposure = false, json = false;
 };
 
@@ -62,9 +63,11 @@ int run(const Options& o) {
   for (const double angle : o.angles)
     if (!(std::abs(angle) <= 1e5)) throw Error("--angles: expected angles in degrees");
   check_probes(o.outputs);
+  const FractionSink progress = start_work(o.work);
   std::vector<BallView> views;
   for (std::size_t i = 0; i < o.files.size(); ++i)
     views.push_back({read_ball(o, o.files[i]), degrees(static_cast<float>(o.angles[i]))});
+  if (progress) progress(0.3);
   const AssembleSettings settings{.camera_radius = degrees(static_cast<float>(o.camera_radius)),
                                   .rim = degrees(static_cast<float>(o.rim)),
                                   .align = !o.as_given,
@@ -93,6 +96,7 @@ int run(const Options& o) {
   }
   if (o.json) fmt::print("{}\n", nlohmann::ordered_json{{"views", list}}.dump(2));
   write_probe(o.outputs, a.probe, Arrangement::single);
+  if (progress) progress(1);
   return done;
 }
 
@@ -130,6 +134,7 @@ std::function<int()> add_probe_assemble(CLI::App& app) {
                 {.expected = "a number of rows from 1 to 16384", .low = 1, .below = 16385});
   app.add_flag("--json", o.json, "Print what was found as JSON");
   add_outputs(app, o.outputs, "The lat-long map; the first camera stands at +z and looks along -z")->required();
+  add_work_options(app, o.work);
   return [] { return run(o); };
 }
 

@@ -43,7 +43,9 @@ int run(const Options& o) {
   const auto surface = known(o);
   if (!o.restored.empty() && !surface)
     throw Error("--restored: needs --irradiance or --diffuse-radiance to know what is missing");
+  const FractionSink progress = start_work(o.input.work);
   const ProbeInput input = read_probe(o.input);
+  if (progress) progress(0.3);
   const RangeReport r = check_range(input.probe);
   const float wide = r.plateau_solid_angle / sun_solid_angle;
   nlohmann::ordered_json j{{"brightest", r.brightest},
@@ -93,6 +95,7 @@ int run(const Options& o) {
     if (!factor) throw Error("--restored: no factor would give the surface its irradiance");
     write_probe({o.restored}, restored(input.probe, *factor), input.arrangement);
   }
+  if (progress) progress(1);
   return done;
 }
 

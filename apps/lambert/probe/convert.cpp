@@ -33,6 +33,7 @@ void add_output(CLI::App& app, Options& o) {
 
 int run(const Options& o, bool keep_layout) {
   check_probes(o.outputs);
+  const FractionSink progress = start_work(o.input.work);
   const ProbeInput input = read_probe(o.input);
   const Layout to =
       keep_layout ? Layout{input.probe.projection, input.arrangement, input.probe.texels} : layout_of(o.to);
@@ -40,8 +41,11 @@ int run(const Options& o, bool keep_layout) {
   const Vec2i size = same_size    ? Vec2i(input.probe.width(), input.probe.height())
                      : o.size > 0 ? chart_size(to.projection, o.size)
                                   : similar_size(input.probe, to.projection);
-  write_probe(o.outputs, resample(input.probe, to.projection, to.texels, size, {.rotation = rotation_of(o.rotation)}),
+  write_probe(o.outputs,
+              resample(input.probe, to.projection, to.texels, size,
+                       {.rotation = rotation_of(o.rotation), .progress = part_of(progress, 0.1, 0.8)}),
               to.arrangement);
+  if (progress) progress(1);
   return done;
 }
 

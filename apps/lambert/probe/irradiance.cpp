@@ -40,6 +40,7 @@ int run(const Options& o) {
   if (o.method != "quadrature" && o.method != "sh")
     throw Error("--method: unknown method " + unknown_word(o.method, {"quadrature", "sh"}));
   check_probes(o.outputs);
+  const FractionSink progress = start_work(o.input.work);
   const ProbeInput input = read_probe(o.input);
   if (!o.normal.empty()) {
     const Vec3 n(o.normal[0], o.normal[1], o.normal[2]);
@@ -52,8 +53,10 @@ int run(const Options& o) {
       fmt::print("irradiance {} {} {}\n", e.r, e.g, e.b);
   }
   if (o.outputs.empty()) return done;
-  const Probe map = o.method == "sh" ? by_harmonics(input.probe, o.size) : diffuse_map(input.probe, o.size);
+  const Probe map = o.method == "sh" ? by_harmonics(input.probe, o.size)
+                                     : diffuse_map(input.probe, o.size, part_of(progress, 0.1, 0.9));
   write_probe(o.outputs, map, input.arrangement);
+  if (progress) progress(1);
   return done;
 }
 

@@ -96,7 +96,9 @@ Result cuts(const Options& o, const ProbeInput& input) {
 
 int run(const Options& o) {
   if (o.count > 0 && !o.sky.empty()) throw Error("--sky: median-cut lights leave no sky; leave out --count");
+  const FractionSink progress = start_work(o.input.work);
   const ProbeInput input = read_probe(o.input);
+  if (progress) progress(0.3);
   const Result result = o.count > 0 ? cuts(o, input) : suns(o, input);
   const std::string text = result.json.dump(2) + "\n";
   if (!o.pbrt.empty()) {
@@ -108,6 +110,7 @@ int run(const Options& o) {
     write_atomically(path, std::string_view(text));
     print_path(path);
   }
+  if (progress) progress(1);
   return done;
 }
 

@@ -104,6 +104,7 @@ void add_probe_input(CLI::App& app, ProbeInputOptions& o) {
   app.add_option("--reflectivity", o.reflectivity, "Of a mirror ball, one number or R,G,B: the input is divided by it")
       ->delimiter(',')
       ->expected(1, 3);
+  add_work_options(app, o.work);
 }
 
 ProbeInput read_probe(const ProbeInputOptions& o) {

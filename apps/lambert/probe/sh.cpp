@@ -25,7 +25,9 @@ struct Options {
 
 int run(const Options& o) {
   check_probes(o.outputs);
+  const FractionSink progress = start_work(o.input.work);
   const ProbeInput input = read_probe(o.input);
+  if (progress) progress(0.3);
   std::vector<ShColour> coefficients = sh_project(input.probe, o.order);
   if (o.irradiance) coefficients = sh_irradiance(coefficients);
   if (o.json) {
@@ -45,6 +47,7 @@ int run(const Options& o) {
   }
   if (!o.outputs.empty())
     write_probe(o.outputs, sh_map(coefficients, input.probe.projection, input.probe.texels, o.size), input.arrangement);
+  if (progress) progress(1);
   return done;
 }
 

@@ -2,6 +2,7 @@
 /// What the verbs of `lambert probe` share.
 
 #include "../cli_fwd.h"
+#include "../work.h"
 
 #include "lambert/base/error.h"
 #include "lambert/image/probe/find_ball.h"
@@ -32,6 +33,7 @@ struct ProbeInputOptions {
   std::string file;
   LayoutOptions layout;
   std::vector<float> reflectivity;
+  WorkOptions work;
 };
 void add_probe_input(CLI::App& app, ProbeInputOptions& o);
 

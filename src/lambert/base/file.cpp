@@ -13,6 +13,8 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <mutex>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -141,6 +143,29 @@ int whole_standard_input() {
 
 }  // namespace
 
+namespace {
+
+/// The temporaries of the process.
+struct Unfinished {
+  std::mutex mutex;
+  std::set<fs::path> files;
+  bool any_finished = false;
+};
+Unfinished& unfinished() {
+  static Unfinished& all = *new Unfinished;  // a signal may come while statics are destroyed
+  return all;
+}
+
+}  // namespace
+
+bool abandon_files() {
+  Unfinished& all = unfinished();
+  all.mutex.lock();  // for good
+  std::error_code ignored;
+  for (const fs::path& file : all.files) fs::remove(file, ignored);
+  return all.any_finished;
+}
+
 MappedFile open_input(const fs::path& path) {
   if (path != "-") return MappedFile(path);
   static const int input = whole_standard_input();  // open until the process ends
@@ -160,11 +185,17 @@ void check_writable(const fs::path& path) {
 }
 
 AtomicFile::AtomicFile(const fs::path& path)
-    : path_(path), target_(regular_target(path)), temporary_(temporary_for(path_, target_)) {}
+    : path_(path), target_(regular_target(path)), temporary_(temporary_for(path_, target_)) {
+  const std::lock_guard lock(unfinished().mutex);
+  unfinished().files.insert(temporary_);
+}
 
 AtomicFile::~AtomicFile() {
+  if (temporary_.empty()) return;
   std::error_code ignored;
-  if (!temporary_.empty()) fs::remove(temporary_, ignored);
+  fs::remove(temporary_, ignored);
+  const std::lock_guard lock(unfinished().mutex);
+  unfinished().files.erase(temporary_);
 }
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
@@ -173,10 +204,14 @@ AtomicFile::AtomicFile(AtomicFile&& other) noexcept
       temporary_(std::exchange(other.temporary_, fs::path())) {}
 
 void AtomicFile::commit() {
+  std::unique_lock lock(unfinished().mutex);
+  unfinished().files.erase(temporary_);
+  unfinished().any_finished = true;
   if (is_standard_stream(path_)) {
     const Descriptor file(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC));
     if (file < 0) fail(temporary_.string(), "cannot open");
     ::unlink(std::exchange(temporary_, fs::path()).c_str());  // now, since a reader that goes away ends the process
+    lock.unlock();
     return copy(file, output_name(path_), standard_output(), output_name(path_), ~std::uint64_t{0});
   }
   std::error_code problem;

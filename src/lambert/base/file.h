@@ -57,6 +57,10 @@ void write_atomically(const std::filesystem::path& path,
 void write_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_atomically(const std::filesystem::path& path, std::string_view text);
 
+/// For a process that ends before its time, which it must do now: removes what AtomicFile has not committed, and lets
+/// no other begin. True when some file was committed before.
+bool abandon_files();
+
 /// Throws the Error that write_atomically would, as far as that can be known before: a file is made beside `path` and
 /// removed.
 void check_writable(const std::filesystem::path& path);

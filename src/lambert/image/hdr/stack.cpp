@@ -72,10 +72,11 @@ Difference brightening(const ExposureStack& stack, std::size_t a, std::size_t b)
 
 }  // namespace
 
-ExposureStack read_stack(const std::vector<std::string>& files, const std::vector<double>& exposures) {
+ExposureStack read_stack(const std::vector<std::string>& files, const std::vector<double>& exposures,
+                         const FractionSink& progress) {
   if (files.empty()) throw Error("no photographs given");
   std::vector<Texels> texels(files.size());
-  parallel_for(files.size(), [&](std::size_t i) { texels[i] = read_codes(files[i]); });
+  parallel_for(files.size(), progress, [&](std::size_t i) { texels[i] = read_codes(files[i]); });
   ExposureStack stack;
   stack.width = texels[0].width, stack.height = texels[0].height;
   stack.channels = colours(texels[0].channels);
