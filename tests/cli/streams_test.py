@@ -50,6 +50,21 @@ class Output(StreamsTest):
         self.assertTrue(done.stdout.startswith(b"<svg") and done.stdout.endswith(b"</svg>\n"), done.stdout[:40])
         self.assertIn(b'"facts"', done.stderr)
 
+    def test_polygons_drawings_and_meshes(self):
+        square = b"POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))"
+        polygon = lambda *arguments: self.out("polygon", *arguments, given=square)
+        for file, start in (("-", b"POLYGON"), ("wkt:-", b"POLYGON"), ("geojson:-", b"{"), ("svg:-", b"<svg"), ("png:-", MAGIC["png"])):
+            with self.subTest(file):
+                self.assertTrue(polygon("union", "-", "-o", file).startswith(start))
+        self.assertTrue(polygon("triangulate", "-", "-o", "glb:-").startswith(b"glTF"))
+        self.assertTrue(polygon("extrude", "-", "-o", "ply:-").startswith(b"ply\n"))
+        self.assertEqual(polygon("extrude", "-", "-o", "obj:-"), polygon("extrude", "-", "-o", "-"))
+        done = self.stream("polygon", "fill", "-", "--resolution", "4x4", "-o", "png:-", "-o", "json:-", given=square, status=1)
+        self.assertIn(b"standard output takes one file", done.stderr)
+        done = self.stream("polygon", "area", "-", "-o", "svg:-", given=square)
+        self.assertIn(b"area 16", done.stderr)
+        self.assertTrue(done.stdout.endswith(b"</svg>\n"))
+
     def test_takes_one_file(self):
         done = self.stream("image", "convert", "a.pfm", "-o", "-", "-o", "png:-", status=1)
         self.assertEqual(done.stdout, b"")
