@@ -2,6 +2,7 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/formats/codecs.h"
 #include "lambert/image/formats/exr_reader.h"
 #include "lambert/image/formats/exr_writer.h"
@@ -49,7 +50,7 @@ Image image_of(const ImageHeader& header) {
 }
 
 struct ImageReader::State {
-  std::filesystem::path path;
+  std::string name;  // in errors
   std::optional<MappedFile> file;
   std::optional<ExrReader> exr;
   // Of formats that are not read in bands:
@@ -58,13 +59,13 @@ struct ImageReader::State {
 };
 
 ImageReader::ImageReader(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
-  state_->path = path;
-  state_->file.emplace(path);
+  state_->name = input_name(path);
+  state_->file.emplace(open_input(path));
   if (is_exr(state_->file->bytes())) {
-    state_->exr.emplace(state_->file->bytes(), path.string());
+    state_->exr.emplace(state_->file->bytes(), state_->name);
     return;
   }
-  state_->whole = read_image(path);
+  state_->whole = decode_image(state_->file->bytes(), state_->name);
   state_->header = header_of(state_->whole);
   state_->file.reset();
 }
@@ -77,7 +78,7 @@ const ImageHeader& ImageReader::header() const { return state_->exr ? state_->ex
 void ImageReader::read(int y0, int y1, std::span<float> to) {
   const ImageHeader& h = header();
   if (y0 < 0 || y1 < y0 || y1 > h.data.height || to.size() != static_cast<std::size_t>(y1 - y0) * h.row_size())
-    throw Error(state_->path.string() + ": has no rows " + std::to_string(y0) + " to " + std::to_string(y1));
+    throw Error(state_->name + ": has no rows " + std::to_string(y0) + " to " + std::to_string(y1));
   if (state_->exr)
     state_->exr->read(y0, y1, to.data());
   else
@@ -116,7 +117,7 @@ ImageWriter::ImageWriter(const std::filesystem::path& path, ImageHeader header, 
       state_->whole = image_of(header);
     }
   } catch (const std::exception&) {
-    rethrow_named(path.string());
+    rethrow_named(output_name(path));
   }
   state_->header = std::move(header);
 }
@@ -130,7 +131,7 @@ int ImageWriter::rows_written() const { return state_->rows; }
 void ImageWriter::write(std::span<const float> rows) {
   const std::size_t size = header().row_size(), count = rows.size() / size;
   if (rows.size() % size != 0 || count > static_cast<std::size_t>(header().data.height - state_->rows))
-    throw Error(state_->path.string() + ": more rows than the header says");
+    throw Error(output_name(state_->path) + ": more rows than the header says");
   try {
     if (state_->exr)
       state_->exr->write(rows);
@@ -138,14 +139,14 @@ void ImageWriter::write(std::span<const float> rows) {
       std::ranges::copy(
           rows, state_->whole.pixels().subspan(static_cast<std::size_t>(state_->rows) * size, rows.size()).begin());
   } catch (const std::exception&) {
-    rethrow_named(state_->path.string());
+    rethrow_named(output_name(state_->path));
   }
   state_->rows += static_cast<int>(count);
 }
 
 void ImageWriter::close() {
   if (state_->rows != header().data.height)
-    throw Error(state_->path.string() + ": has " + std::to_string(state_->rows) + " of " +
+    throw Error(output_name(state_->path) + ": has " + std::to_string(state_->rows) + " of " +
                 std::to_string(header().data.height) + " rows");
   if (!state_->exr) return write_image(state_->path, state_->whole, state_->options);
   try {
@@ -153,7 +154,7 @@ void ImageWriter::close() {
     state_->exr.reset();
     state_->file->commit();
   } catch (const std::exception&) {
-    rethrow_named(state_->path.string());
+    rethrow_named(output_name(state_->path));
   }
 }
 

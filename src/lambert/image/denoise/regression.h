@@ -8,6 +8,7 @@
 /// it where its noise is too strong for patches to. Each model then speaks for all pixels of its window, again by these
 /// weights, and a pixel's value is the mean of what it is told.
 
+#include "lambert/base/progress.h"
 #include "lambert/image/denoise/plane.h"
 
 #include <array>
@@ -32,6 +33,6 @@ using Candidates = std::array<Colour, candidate_count>;
 /// Filters `colour` by the patches of `guide` (whose noise has `variance`) and at most 7 `features`, of which there may
 /// be none. The unit of colour is about its mean.
 Candidates regress(const Colour& colour, const Colour& guide, const Colour& variance, std::span<const Plane> features,
-                   const RegressionSettings& settings);
+                   const RegressionSettings& settings, const FractionSink& progress = {});
 
 }  // namespace lambert::denoise

@@ -269,7 +269,7 @@ Merged merge(const ExposureStack& stack, const Response& response, const MergeSe
   const Merger merger(stack, response, settings, ghosts);
   std::vector<Merger::Counts> counts(static_cast<std::size_t>(stack.height));
   stack.with_code_type([&]<class Code>(Code) {
-    parallel_for(counts.size(), [&](std::size_t y) {
+    parallel_for(counts.size(), settings.progress, [&](std::size_t y) {
       counts[y] = merger.row<Code>(static_cast<int>(y), merged.image.row(static_cast<int>(y)));
     });
   });
