@@ -56,27 +56,46 @@ struct Quadrant {
   double x0, x1, y0, y1;  // 0 <= x0 < x1, 0 <= y0 < y1
 };
 
+/// Gauss' rule of six points over s of [0, 1], its places as (1 - cos πs) / 2.
+struct RingRule {
+  std::array<double, 6> place, weight;
+};
+const RingRule& ring_rule() {
+  static const RingRule rule = [] {
+    constexpr std::array<double, 3> nodes{0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
+    constexpr std::array<double, 3> weights{0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
+    RingRule r;
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double s = 0.5 * (1 + (i % 2 == 0 ? nodes[i / 2] : -nodes[i / 2]));
+      r.place[i] = 0.5 * (1 - std::cos(pi_d * s));
+      r.weight[i] = 0.25 * pi_d * weights[i / 2] * std::sin(pi_d * s);
+    }
+    return r;
+  }();
+  return rule;
+}
+
 /// Over rings of radius r(θ) from θ0 to θ1, between which no corner lies. The arc's length has square roots at the
 /// ends, where rings touch sides: θ = θ0 + (θ1 - θ0) (1 - cos πs) / 2 undoes them.
 template <class Disk>
 CellIntegrals rings(const Disk& disk, const Quadrant& q, double theta0, double theta1) {
-  constexpr std::array<double, 3> nodes{0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
-  constexpr std::array<double, 3> weights{0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
+  const RingRule& rule = ring_rule();
   CellIntegrals sum;
   for (std::size_t i = 0; i < 6; ++i) {
-    const double s = 0.5 * (1 + (i % 2 == 0 ? nodes[i / 2] : -nodes[i / 2]));
-    const double theta = theta0 + (theta1 - theta0) * 0.5 * (1 - std::cos(pi_d * s));
-    const double w = 0.5 * weights[i / 2] * (theta1 - theta0) * 0.5 * pi_d * std::sin(pi_d * s);
+    const double theta = theta0 + (theta1 - theta0) * rule.place[i];
     const auto r = static_cast<double>(disk.radius(static_cast<float>(theta)));
     const auto part = [&](double a) { return std::min(1.0, a / r); };
-    const double from = std::max(std::asin(part(q.y0)), std::acos(part(q.x1)));
-    const double to = std::min(std::asin(part(q.y1)), std::acos(part(q.x0)));
-    if (!(to > from)) continue;
-    const double ring = w * std::sin(theta);
-    sum.solid_angle += ring * (to - from);
-    sum.moment +=
-        ring * Vec3d(std::sin(theta) * (std::sin(to) - std::sin(from)),
-                     std::sin(theta) * (std::cos(from) - std::cos(to)), Disk::axis * std::cos(theta) * (to - from));
+    const auto other = [](double a) { return std::sqrt(1 - a * a); };
+    // The arc's ends, as points on a circle of radius 1.
+    const double sin_from = std::max(part(q.y0), other(part(q.x1))), cos_to = std::max(part(q.x0), other(part(q.y1)));
+    const double cos_from = other(sin_from), sin_to = other(cos_to);
+    if (!(sin_to > sin_from)) continue;
+    const double arc = std::atan2(sin_to * cos_from - cos_to * sin_from, cos_to * cos_from + sin_to * sin_from);
+    const double sin_theta = std::sin(theta);
+    const double ring = rule.weight[i] * (theta1 - theta0) * sin_theta;
+    sum.solid_angle += ring * arc;
+    sum.moment += ring * Vec3d(sin_theta * (sin_to - sin_from), sin_theta * (cos_from - cos_to),
+                               Disk::axis * std::cos(theta) * arc);
   }
   return sum;
 }

@@ -10,10 +10,6 @@
 namespace lambert::probe {
 namespace {
 
-struct Texel {
-  int chart, x, y;
-};
-
 class Finder {
  public:
   Finder(Probe& sky, const SunSettings& settings) : sky_(sky), settings_(settings), measure_(texel_measure(sky)) {}
@@ -64,18 +60,6 @@ class Finder {
     return best;
   }
 
-  /// The texel across a side: on the sphere where the chart ends.
-  std::optional<Texel> neighbour(const Texel& t, int dx, int dy) const {
-    const Texel n{t.chart, t.x + dx, t.y + dy};
-    if (n.x >= 0 && n.y >= 0 && n.x < sky_.width() && n.y < sky_.height()) return n;
-    const auto d = direction(sky_.projection, {t.chart, uv_of(sky_, Vec2(n.x, n.y) + 0.5f)});
-    const auto p = d ? point(sky_.projection, *d) : std::nullopt;
-    if (!p) return std::nullopt;
-    const Vec2 pixel = pixel_of(sky_, p->uv);
-    return Texel{p->chart, std::clamp(static_cast<int>(pixel.x), 0, sky_.width() - 1),
-                 std::clamp(static_cast<int>(pixel.y), 0, sky_.height() - 1)};
-  }
-
   /// What is connected to `from` by sides of texels and at least as bright; empty when it is too large for a sun.
   std::vector<Texel> connected(const Texel& from, float low) const {
     std::vector<Texel> found{from};
@@ -84,7 +68,7 @@ class Finder {
     if (solid_angle > settings_.largest) return {};
     for (std::size_t i = 0; i < found.size(); ++i)
       for (const Vec2i step : {Vec2i(1, 0), Vec2i(-1, 0), Vec2i(0, 1), Vec2i(0, -1)}) {
-        const auto n = neighbour(found[i], step.x, step.y);
+        const auto n = neighbour(sky_, found[i], step);
         if (!n || seen.contains(key(*n)) || !(luminance(at(*n)) >= low) || !(omega(*n) > 0)) continue;
         seen[key(*n)] = true;
         found.push_back(*n);
@@ -141,7 +125,7 @@ class Finder {
     float rim_count = 0;
     for (std::size_t i = 0; i < disk.size(); ++i)
       for (const Vec2i step : {Vec2i(1, 0), Vec2i(-1, 0), Vec2i(0, 1), Vec2i(0, -1)}) {
-        const auto n = neighbour(disk[i], step.x, step.y);
+        const auto n = neighbour(sky_, disk[i], step);
         if (!n) continue;
         if (const auto found = index.find(key(*n)); found != index.end()) {
           sides[i].inner.push_back(found->second);

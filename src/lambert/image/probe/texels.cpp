@@ -30,6 +30,21 @@ Vec2 pixel_of(const Probe& probe, Vec2 uv) {
   return uv * (size - 1.0f) + 0.5f;
 }
 
+std::optional<Texel> texel_at(const Probe& probe, Vec3 d) {
+  const auto p = point(probe.projection, d);
+  if (!p) return std::nullopt;
+  const Vec2 pixel = pixel_of(probe, p->uv);
+  return Texel{p->chart, std::clamp(static_cast<int>(pixel.x), 0, probe.width() - 1),
+               std::clamp(static_cast<int>(pixel.y), 0, probe.height() - 1)};
+}
+
+std::optional<Texel> neighbour(const Probe& probe, const Texel& texel, Vec2i step) {
+  const Texel n{texel.chart, texel.x + step.x, texel.y + step.y};
+  if (n.x >= 0 && n.y >= 0 && n.x < probe.width() && n.y < probe.height()) return n;
+  const auto d = direction(probe.projection, {n.chart, uv_of(probe, Vec2(n.x, n.y) + 0.5f)});
+  return d ? texel_at(probe, *d) : std::nullopt;
+}
+
 Cell texel_cell(const Probe& probe, int x, int y) {
   const Span u = span_of(probe.texels, x, probe.width()), v = span_of(probe.texels, y, probe.height());
   return {u.low, u.high, v.low, v.high};

@@ -2,6 +2,7 @@
 #include "lambert/image/probe/cell.h"
 #include "lambert/image/probe/layout.h"
 
+#include <optional>
 #include <vector>
 
 namespace lambert::probe {
@@ -9,6 +10,14 @@ namespace lambert::probe {
 /// Where on the chart the centre of texel (x, y) lies, or any place in pixels (texel (0, 0) begins at (0, 0)).
 Vec2 uv_of(const Probe& probe, Vec2 pixel);
 Vec2 pixel_of(const Probe& probe, Vec2 uv);
+
+struct Texel {
+  int chart = 0, x = 0, y = 0;
+};
+/// The texel `step` away: on the sphere where the chart ends, none beyond the rim of a disk.
+std::optional<Texel> neighbour(const Probe& probe, const Texel& texel, Vec2i step);
+/// The texel that shows a direction, if one does.
+std::optional<Texel> texel_at(const Probe& probe, Vec3 direction);
 
 /// The part of the chart that texel (x, y) stands for. With edge-to-edge texels only what lies on the chart counts.
 Cell texel_cell(const Probe& probe, int x, int y);

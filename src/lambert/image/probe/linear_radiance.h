@@ -1,0 +1,28 @@
+#pragma once
+#include "lambert/image/probe/texels.h"
+
+#include <array>
+
+namespace lambert::probe {
+
+/// Radiance in a texel as a linear function of direction, L(d) = L0 + g · (d - m / Ω) with Ω = ∫ dω and m = ∫ d dω over
+/// the texel: its mean is the texel's colour L0, so the flux stays what it is.
+struct LinearRadiance {
+  Rgb mean;
+  Vec3d middle{0};                  ///< m / Ω
+  std::array<Vec3d, 3> gradient{};  ///< of r, g, b
+
+  Rgb operator()(Vec3d d) const {
+    const auto change = [&](std::size_t k) { return static_cast<float>(dot(gradient[k], d - middle)); };
+    return mean + Rgb(change(0), change(1), change(2));
+  }
+};
+
+/// As finite volumes reconstruct it (Barth and Jespersen, "The Design and Application of Upwind Schemes on Unstructured
+/// Meshes", 1989): g fits the texels at the sides best, weighted by the inverse square of the distance, which is exact
+/// where radiance is linear; at the rim of a disk texels across it count too. g is shortened so that within the texel
+/// nothing leaves the neighbours' range by more than half of that range, so that a smooth peak keeps its shape, and
+/// nothing is negative where they are not. Texels of about a hemisphere or more keep one colour.
+LinearRadiance linear_radiance(const Probe& probe, const Texel& texel);
+
+}  // namespace lambert::probe
