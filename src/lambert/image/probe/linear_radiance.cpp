@@ -19,18 +19,26 @@ Rgb value_of(const Probe& probe, const Texel& t) {
   return probe.charts[static_cast<std::size_t>(t.chart)].rgb(t.x, t.y);
 }
 
-/// The images of a disk's texel in the square's axes and diagonals that lie no further than twice its length: at a rim
-/// beyond which little is hidden they are all around it.
+/// The images of a disk's texel, or of a direction, in the square's axes and diagonals; i from 1 to 7.
+Texel image_of(Texel t, int i, int last) {
+  if (i & 1) t.x = last - t.x;
+  if (i & 2) t.y = last - t.y;
+  return (i & 4) ? Texel{t.chart, last - t.y, last - t.x} : t;
+}
+Vec3d image_of(Vec3d d, int i) {
+  if (i & 1) d.x = -d.x;
+  if (i & 2) d.y = -d.y;
+  return (i & 4) ? Vec3d(d.y, d.x, d.z) : d;
+}
+
+/// Images that lie no further than twice the texel's length: at a rim beyond which little is hidden they are all around
+/// it.
 void add_images(const Probe& probe, const Texel& texel, const Cell& cell, Vec3d middle, std::vector<Sample>& samples) {
   const DiskReach reach = disk_reach(probe.projection, cell);
-  const int last = probe.width() - 1;
   for (int i = 1; i < 8; ++i) {
-    Texel image = texel;
-    Vec3d d = middle;
-    if (i & 1) image.x = last - image.x, d.x = -d.x;
-    if (i & 2) image.y = last - image.y, d.y = -d.y;
-    if (i & 4) image = {image.chart, last - image.y, last - image.x}, d = {d.y, d.x, d.z};
-    if (length(d - middle) < 2 * (reach.theta1 - reach.theta0)) samples.push_back({d, value_of(probe, image)});
+    const Vec3d d = image_of(middle, i);
+    if (length(d - middle) < 2 * (reach.theta1 - reach.theta0))
+      samples.push_back({d, value_of(probe, image_of(texel, i, probe.width() - 1))});
   }
 }
 
@@ -92,6 +100,33 @@ LinearRadiance linear_radiance(const Probe& probe, const Texel& texel) {
     result.gradient[k] = part * gradient;
   }
   return result;
+}
+
+std::array<Vec3d, 3> radiance_moments(const Probe& probe, const Texel& texel) {
+  const Cell cell = texel_cell(probe, texel.x, texel.y);
+  const CellIntegrals own = integrals(probe.projection, texel.chart, cell);
+  std::array<Vec3d, 3> moments{};
+  const auto add = [&](Rgb colour, Vec3d moment) {
+    for (std::size_t k = 0; k < 3; ++k) moments[k] += static_cast<double>(colour[static_cast<int>(k)]) * moment;
+  };
+  if (half_angle(probe.projection, texel.chart, cell, own) <= widest_part) {
+    add(value_of(probe, texel), own.moment);
+    return moments;
+  }
+  const LinearRadiance radiance = linear_radiance(probe, texel);
+  for_each_part(probe.projection, texel.chart, cell,
+                [&](const Cell&, const CellIntegrals& i) { add(radiance(i.moment / i.solid_angle), i.moment); });
+  return moments;
+}
+
+void add_touched(const Probe& probe, const Texel& texel, std::vector<Texel>& touched) {
+  touched.push_back(texel);
+  // Corners too: across the edges of a cube neighbours need not be mutual.
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x)
+      if (const auto n = neighbour(probe, texel, {x, y})) touched.push_back(*n);
+  if (!has_disk(probe.projection)) return;
+  for (int i = 1; i < 8; ++i) touched.push_back(image_of(texel, i, probe.width() - 1));
 }
 
 }  // namespace lambert::probe

@@ -2,6 +2,7 @@
 #include "lambert/image/probe/texels.h"
 
 #include <array>
+#include <vector>
 
 namespace lambert::probe {
 
@@ -24,5 +25,12 @@ struct LinearRadiance {
 /// nothing leaves the neighbours' range by more than half of that range, so that a smooth peak keeps its shape, and
 /// nothing is negative where they are not. Texels of about a hemisphere or more keep one colour.
 LinearRadiance linear_radiance(const Probe& probe, const Texel& texel);
+
+/// ∫ L d dω over a texel, of r, g, b: of one colour where it is narrow, else of linear radiance, as Irradiance takes
+/// it.
+std::array<Vec3d, 3> radiance_moments(const Probe& probe, const Texel& texel);
+
+/// All texels whose linear_radiance may change with this one's colour, itself too; more than once, some.
+void add_touched(const Probe& probe, const Texel& texel, std::vector<Texel>& touched);
 
 }  // namespace lambert::probe

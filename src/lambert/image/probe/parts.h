@@ -27,4 +27,13 @@ float angle_between(Vec3 a, Vec3 b);
 /// undo each other. `sums` are the cell's integrals.
 float half_angle(const AnyProjection& projection, int chart, const Cell& cell, const CellIntegrals& sums);
 
+/// Cuts a cell until its parts are narrow, and calls f(part, its integrals) for each that shows anything.
+template <class F>
+void for_each_part(const AnyProjection& projection, int chart, const Cell& cell, const F& f, int cuts = 0) {
+  const CellIntegrals sums = integrals(projection, chart, cell);
+  if (!(sums.solid_angle > 0)) return;
+  if (cuts == deepest_cut || half_angle(projection, chart, cell, sums) <= widest_part) return f(cell, sums);
+  for (const Cell& part : parts(projection, cell)) for_each_part(projection, chart, part, f, cuts + 1);
+}
+
 }  // namespace lambert::probe

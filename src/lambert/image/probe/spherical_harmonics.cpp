@@ -75,8 +75,7 @@ class Projector {
   void add(const Texel& texel, double solid_angle) {
     const Rgb colour = probe_.charts[static_cast<std::size_t>(texel.chart)].rgb(texel.x, texel.y);
     const Cell cell = texel_cell(probe_, texel.x, texel.y);
-    if (!add_narrow(texel.chart, cell, solid_angle, colour))
-      add_wide(texel.chart, cell, linear_radiance(probe_, texel), 0);
+    if (!add_narrow(texel.chart, cell, solid_angle, colour)) add_wide(texel, cell);
   }
   std::vector<ShColour> sum() && { return std::move(sum_); }
 
@@ -123,16 +122,13 @@ class Projector {
     return true;
   }
 
-  void add_wide(int chart, const Cell& cell, const LinearRadiance& radiance, int depth) {
-    const CellIntegrals i = integrals(probe_.projection, chart, cell);
-    if (!(i.solid_angle > 0)) return;
-    if (depth < deepest_cut && half_angle(probe_.projection, chart, cell, i) > widest_part) {
-      for (const Cell& part : parts(probe_.projection, cell)) add_wide(chart, part, radiance, depth + 1);
-      return;
-    }
-    const auto points = disk_ ? std::nullopt : gauss_points(chart, cell);
-    if (!points) return add(Vec3(normalize(i.moment)), i.solid_angle, radiance(i.moment / i.solid_angle));
-    for (const Point& p : *points) add(p.direction, i.solid_angle * p.weight, radiance(Vec3d(p.direction)));
+  void add_wide(const Texel& texel, const Cell& cell) {
+    const LinearRadiance radiance = linear_radiance(probe_, texel);
+    for_each_part(probe_.projection, texel.chart, cell, [&](const Cell& part, const CellIntegrals& i) {
+      const auto points = disk_ ? std::nullopt : gauss_points(texel.chart, part);
+      if (!points) return add(Vec3(normalize(i.moment)), i.solid_angle, radiance(i.moment / i.solid_angle));
+      for (const Point& p : *points) add(p.direction, i.solid_angle * p.weight, radiance(Vec3d(p.direction)));
+    });
   }
 
   void add(Vec3 d, double solid_angle, Rgb colour) {

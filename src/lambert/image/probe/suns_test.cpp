@@ -37,6 +37,24 @@ TEST(Suns, SkyAndSunTogetherLightAsTheMapDid) {
     }
 }
 
+// Texels so wide that their neighbours' gradients hang on the sun.
+TEST(Suns, BooksStayEvenOnCoarseMapsAndAtRims) {
+  for (const auto& [p, rows] : {std::pair<AnyProjection, int>{LatLong{}, 32}, {Cube{}, 16}, {MirrorBall{}, 96}})
+    for (const Vec3 towards : {Vec3(0.3f, 0.6f, -0.5f), Vec3(0.1f, 0.05f, -1), Vec3(1, 1, 1)}) {
+      const Vec3 sun = normalize(towards);
+      const Probe probe = map_of(
+          p, rows, [&](Vec3 d) { return sky(d) + (dot(d, sun) > std::cos(0.04f) ? Rgb(20000) : Rgb()); }, 6);
+      const SunsAndSky found = separate_suns(probe);
+      ASSERT_EQ(found.suns.size(), 1u) << p.index();
+      const Sun& s = found.suns.front();
+      const Irradiance all(probe), rest(found.sky);
+      for (const Vec3 n : {s.direction, normalize(s.direction + Vec3(0.4f, 0, 0.3f))}) {
+        const float want = all(n).g, got = rest(n).g + dot(n, s.direction) * s.irradiance.g;
+        EXPECT_NEAR(got / want, 1, 1e-4f) << p.index() << " " << sun.x;
+      }
+    }
+}
+
 TEST(Suns, ThereMayBeNoneOrSeveral) {
   EXPECT_TRUE(separate_suns(map_of(LatLong{}, 64, sky)).suns.empty());
   EXPECT_TRUE(separate_suns(map_of(LatLong{}, 1, sky)).suns.empty());
