@@ -27,18 +27,6 @@ CellIntegrals by_gauss(const AnyProjection& projection, int chart, const Cell& c
   return sum;
 }
 
-/// ∫∫ (sin θ sin φ, cos θ, -sin θ cos φ) sin θ dφ dθ; sums as middles and halves, which do not cancel.
-CellIntegrals of_lat_long(const LatLong& map, const Cell& cell) {
-  const double phi = 2 * pi_d * (0.5 * (cell.u0 + cell.u1) - 0.5), half_phi = pi_d * (cell.u1 - cell.u0);
-  const double theta = 0.5 * pi_d * (cell.v0 + cell.v1), delta = pi_d * (cell.v1 - cell.v0);
-  // ∫ sin² θ = (Δ - cos 2θ sin Δ) / 2, ∫ sin θ cos θ = sin 2θ sin Δ / 2 about the middle θ
-  const double across = 0.5 * (delta - std::cos(2 * theta) * std::sin(delta));
-  const double along = 0.5 * std::sin(2 * theta) * std::sin(delta);
-  const double ring = (map.centre_is_plus_z ? -2 : 2) * std::sin(half_phi) * across;
-  return {4 * half_phi * std::sin(theta) * std::sin(0.5 * delta),
-          {ring * std::sin(phi), 2 * half_phi * along, -ring * std::cos(phi)}};
-}
-
 /// ∫∫ (1 + a² + b²)^-3/2 da db from (0, 0) to (a, b).
 double cube_corner(double a, double b) { return std::atan2(a * b, std::sqrt(a * a + b * b + 1)); }
 
@@ -146,13 +134,28 @@ DiskReach reach_of(const Disk& disk, const Cell& cell) {
 
 }  // namespace
 
+/// ∫∫ (sin θ sin φ, cos θ, -sin θ cos φ) sin θ dφ dθ; sums as middles and halves, which do not cancel:
+/// ∫ sin² θ = (Δ - cos 2θ sin Δ) / 2, ∫ sin θ cos θ = sin 2θ sin Δ / 2 about the middle θ.
+LatLongRow lat_long_row(const Cell& cell) {
+  const double theta = 0.5 * pi_d * (cell.v0 + cell.v1), delta = pi_d * (cell.v1 - cell.v0);
+  return {2 * std::sin(theta) * std::sin(0.5 * delta), 0.5 * (delta - std::cos(2 * theta) * std::sin(delta)),
+          0.5 * std::sin(2 * theta) * std::sin(delta)};
+}
+
+LatLongColumn lat_long_column(const LatLong& map, const Cell& cell) {
+  const double phi = 2 * pi_d * (0.5 * (cell.u0 + cell.u1) - 0.5), width = 2 * pi_d * (cell.u1 - cell.u0);
+  const double chord = (map.centre_is_plus_z ? -2 : 2) * std::sin(0.5 * width);
+  return {width, chord * std::sin(phi), -chord * std::cos(phi)};
+}
+
 DiskReach disk_reach(const AnyProjection& projection, const Cell& cell) {
   if (const auto* ball = std::get_if<MirrorBall>(&projection)) return reach_of(*ball, cell);
   return reach_of(std::get<Fisheye>(projection), cell);
 }
 
 CellIntegrals integrals(const AnyProjection& projection, int chart, const Cell& cell) {
-  if (const auto* map = std::get_if<LatLong>(&projection)) return of_lat_long(*map, cell);
+  if (const auto* map = std::get_if<LatLong>(&projection))
+    return integrals(lat_long_row(cell), lat_long_column(*map, cell));
   if (const auto* ball = std::get_if<MirrorBall>(&projection)) return of_disk(*ball, cell);
   if (const auto* fisheye = std::get_if<Fisheye>(&projection)) return of_disk(*fisheye, cell);
   const CellIntegrals sum = by_gauss(projection, chart, cell);

@@ -27,7 +27,7 @@ struct Patch {
 
 class Tree {
  public:
-  explicit Tree(const Probe& probe) : probe_(probe) {
+  explicit Tree(const Probe& probe) : probe_(probe), texel_(probe) {
     const auto leaves = [&] {
       const auto along = [&](int n) { return static_cast<std::int64_t>((n + block_ - 1) / block_); };
       return along(probe.width()) * along(probe.height()) * static_cast<std::int64_t>(probe.charts.size());
@@ -107,8 +107,7 @@ class Tree {
     CellIntegrals sum;
     for (int y = p.texels.y; y < p.texels.y + p.texels.height; ++y)
       for (int x = p.texels.x; x < p.texels.x + p.texels.width; ++x) {
-        const Cell cell = p.radiance ? p.cell : texel_cell(probe_, x, y);
-        const CellIntegrals i = integrals(probe_.projection, p.chart, cell);
+        const CellIntegrals i = p.radiance ? integrals(probe_.projection, p.chart, p.cell) : texel_(p.chart, x, y);
         if (!(i.solid_angle > 0)) continue;  // out of the disk
         const Rgb c = p.radiance ? (*p.radiance)(i.moment / i.solid_angle) : image.rgb(x, y);
         for (int k = 0; k < 3; ++k) node.moment[static_cast<std::size_t>(k)] += c[k] * Vec3(i.moment);
@@ -141,6 +140,7 @@ class Tree {
   }
 
   const Probe& probe_;
+  TexelIntegrals texel_;
   int block_ = 1;  // texels along a leaf
 };
 

@@ -50,24 +50,21 @@ Cell texel_cell(const Probe& probe, int x, int y) {
   return {u.low, u.high, v.low, v.high};
 }
 
+TexelIntegrals::TexelIntegrals(const Probe& probe) : probe_(&probe) {
+  const auto* map = std::get_if<LatLong>(&probe.projection);
+  if (!map) return;
+  for (int y = 0; y < probe.height(); ++y) rows_.push_back(lat_long_row(texel_cell(probe, 0, y)));
+  for (int x = 0; x < probe.width(); ++x) columns_.push_back(lat_long_column(*map, texel_cell(probe, x, 0)));
+}
+
 TexelMeasure texel_measure(const Probe& probe) {
   const auto w = static_cast<std::size_t>(probe.width()), h = static_cast<std::size_t>(probe.height());
-  // Rows of lat-long maps are even, but for the halves at the ends of edge-to-edge ones.
-  const bool even = std::holds_alternative<LatLong>(probe.projection) && w > 2;
+  const TexelIntegrals texel(probe);
   TexelMeasure m;
   m.solid_angle.resize(w * h);
-  parallel_for(h, [&](std::size_t row) {
-    float* out = &m.solid_angle[row * w];
-    const auto at = [&](std::size_t x) {
-      const Cell cell = texel_cell(probe, static_cast<int>(x), static_cast<int>(row));
-      return static_cast<float>(integrals(probe.projection, 0, cell).solid_angle);
-    };
-    if (even) {
-      std::fill_n(out, w, at(1));
-      out[0] = out[w - 1] = at(0);
-    } else {
-      for (std::size_t x = 0; x < w; ++x) out[x] = at(x);
-    }
+  parallel_for(h, [&](std::size_t y) {
+    for (std::size_t x = 0; x < w; ++x)
+      m.solid_angle[y * w + x] = static_cast<float>(texel(0, static_cast<int>(x), static_cast<int>(y)).solid_angle);
   });
   return m;
 }

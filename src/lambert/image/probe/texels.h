@@ -22,6 +22,21 @@ std::optional<Texel> texel_at(const Probe& probe, Vec3 direction);
 /// The part of the chart that texel (x, y) stands for. With edge-to-edge texels only what lies on the chart counts.
 Cell texel_cell(const Probe& probe, int x, int y);
 
+/// integrals() over texels, of lat-long maps from tables of rows and columns.
+class TexelIntegrals {
+ public:
+  explicit TexelIntegrals(const Probe& probe);
+  CellIntegrals operator()(int chart, int x, int y) const {
+    if (rows_.empty()) return integrals(probe_->projection, chart, texel_cell(*probe_, x, y));
+    return integrals(rows_[static_cast<std::size_t>(y)], columns_[static_cast<std::size_t>(x)]);
+  }
+
+ private:
+  const Probe* probe_;
+  std::vector<LatLongRow> rows_;
+  std::vector<LatLongColumn> columns_;
+};
+
 /// What a texel of each place spans; index y * width + x, the same for all charts (a cube's faces are alike).
 struct TexelMeasure {
   std::vector<float> solid_angle;  ///< sr; over all charts their sum is 4π, or what a disk shows, within 1e-4
