@@ -3,12 +3,17 @@
 #include "lambert/image/probe/parts.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace lambert::probe {
 namespace {
+
+/// Of a texel and the brightest beside it: the largest ratio that is taken for smooth light's.
+constexpr double steepest = 30;
 
 struct Sample {
   Vec3d middle;
@@ -73,7 +78,8 @@ LinearRadiance linear_radiance(const Probe& probe, const Texel& texel) {
   // (Σ w Δd Δdᵀ) g = Σ w Δd ΔL, w = 1 / Δd²; a little of the identity takes the shortest g where directions lack.
   glm::dmat3 matrix(1e-8);
   std::array<Vec3d, 3> right{};
-  std::array<double, 3> low{}, high{};
+  std::array<double, 3> low{}, high{}, brightest;  // less the texel's own value
+  brightest.fill(-std::numeric_limits<double>::infinity());
   for (const Sample& s : samples_around(probe, texel, cell, result.middle)) {
     const Vec3d step = s.middle - result.middle;
     const double square = dot(step, step);
@@ -83,6 +89,7 @@ LinearRadiance linear_radiance(const Probe& probe, const Texel& texel) {
       const auto change = static_cast<double>(s.value[static_cast<int>(k)] - result.mean[static_cast<int>(k)]);
       right[k] += step * (change / square);
       low[k] = std::min(low[k], change), high[k] = std::max(high[k], change);
+      brightest[k] = std::max(brightest[k], change);
     }
   }
   const glm::dmat3 inverse = glm::inverse(matrix);
@@ -90,8 +97,10 @@ LinearRadiance linear_radiance(const Probe& probe, const Texel& texel) {
   for (const MapPoint& corner : corners(probe.projection, texel.chart, cell))
     if (const auto d = direction(probe.projection, corner)) reached.emplace_back(*d);
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3d gradient = inverse * right[k];
     const auto mean = static_cast<double>(result.mean[static_cast<int>(k)]);
+    const double top = mean + brightest[k];
+    if (std::min(mean, top) >= 0 && std::max(mean, top) > steepest * std::min(mean, top)) continue;
+    const Vec3d gradient = inverse * right[k];
     const double slack = 0.5 * (high[k] - low[k]);
     const double least = mean + low[k] >= 0 ? std::max(low[k] - slack, -mean) : low[k] - slack;
     double part = 1;

@@ -23,7 +23,8 @@ struct LinearRadiance {
 /// Meshes", 1989): g fits the texels at the sides best, weighted by the inverse square of the distance, which is exact
 /// where radiance is linear; at the rim of a disk texels across it count too. g is shortened so that within the texel
 /// nothing leaves the neighbours' range by more than half of that range, so that a smooth peak keeps its shape, and
-/// nothing is negative where they are not. Texels of about a hemisphere or more keep one colour.
+/// nothing is negative where they are not. It is 0 where the texel and the brightest around it differ by more than a
+/// factor of 30, as at a sun and beside it, and in texels of about a hemisphere or more.
 LinearRadiance linear_radiance(const Probe& probe, const Texel& texel);
 
 /// ∫ L d dω over a texel, of r, g, b: of one colour where it is narrow, else of linear radiance, as Irradiance takes

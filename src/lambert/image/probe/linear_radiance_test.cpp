@@ -62,6 +62,14 @@ TEST(LinearRadiance, StaysAboveZeroBesideASun) {
   }
 }
 
+TEST(LinearRadiance, ASunLeavesTheTexelsAroundAsTheyAre) {
+  Probe probe = map_of(LatLong{}, 16, [](Vec3) { return Rgb(1); });
+  probe.charts[0].set_rgb(10, 5, Rgb(1e4f));
+  for_each_texel(probe, [&](const Texel& t) {
+    for (const Vec3d& g : linear_radiance(probe, t).gradient) EXPECT_LT(length(g), 1e-5) << t.x << " " << t.y;
+  });
+}
+
 TEST(LinearRadiance, OfATexelAloneIsItsColour) {
   const Probe probe = map_of(EqualArea{}, 1, [](Vec3) { return Rgb(3); });
   EXPECT_EQ(linear_radiance(probe, {0, 0, 0})(Vec3d(0, 0, 1)), Rgb(3));
