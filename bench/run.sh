@@ -39,6 +39,9 @@ if [[ -n $plots ]]; then run polygon/plot.py -- "$work/times.tsv" "$plots"; fi
 "$build/bench/filter/bench_lookups"
 run filter/resize.py oiiotool -- "$lambert"
 run composite/over.py oiiotool -- "$lambert"
+"$build/bench/probe/bench_irradiance" >"$work/irradiance.tsv"
+cat "$work/irradiance.tsv"
+if [[ -n $plots ]]; then run probe/plot.py -- "$work/irradiance.tsv" "$plots"; fi
 run probe/convert.py -- "$lambert"
 run tonemap/run.py pfstmo_drago03 pfsinexr -- "$lambert" $(plot tone-operators.svg)
 if command -v pfshdrcalibrate >/dev/null; then

@@ -1,11 +1,12 @@
 #include "load_scene.h"
 
 #include "number_range.h"
+#include "read_finite.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"
 #include "lambert/formats/read_scene.h"
-#include "lambert/image/io.h"
+#include "lambert/image/probe/resample.h"
 #include "lambert/scene/cornell_box.h"
 
 #include <fmt/format.h>
@@ -19,8 +20,10 @@ namespace {
 
 EnvironmentLight read_environment(const std::string& name) {
   if (name == "studio") return studio_environment();
-  Image image = displayed(read_image(name));
+  Image image = read_finite(name);
   try {
+    if (const auto stated = probe::stated_layout(image))
+      image = probe::lat_long_map(probe::layout(*stated), std::move(image));
     return {std::move(image), EnvironmentMapping::lat_long, Rgb(1.0f), Transform()};
   } catch (const Error& e) {
     throw Error(name + ": " + e.what());
@@ -32,7 +35,8 @@ EnvironmentLight read_environment(const std::string& name) {
 void add_scene_options(CLI::App& app, SceneOptions& options) {
   app.add_option("scene", options.file, "glTF (.gltf .glb), pbrt-v4 (.pbrt), OBJ or PLY file; none: the Cornell box");
   app.add_option("--environment", options.environment,
-                 "Light from all around, beside the scene's: a latitude-longitude image (.hdr, .exr), or 'studio'");
+                 "Light from all around, beside the scene's: a latitude-longitude image (.hdr, .exr), OpenEXR's map or "
+                 "cube, or 'studio'");
   expect_number(
       app.add_option("--time", options.time, "Seconds into the scene's animation")->capture_default_str(),
       {.expected = "a number of seconds, 0 or more", .below = static_cast<double>(std::numeric_limits<float>::max())});

@@ -180,6 +180,21 @@ class Environment(CommandLineTest):
         for seen, expected in zip(self.corner_pixel("--environment", "sky.pfm"), (1, 2, 3)):
             self.assertAlmostEqual(seen, expected, places=4)
 
+    # rows: IS-19
+    def test_openexrs_attribute_is_read(self):
+        rows = [(1, 0.5, 0.25) if 8 <= x < 24 else (0.25, 2, 4) for _ in range(16) for x in range(32)]
+        (self.folder / "sky.pfm").write_bytes(b"PF\n32 16\n-1.0\n" + b"".join(struct.pack("<3f", *c) for c in rows))
+        expected = self.corner_pixel("--environment", "sky.pfm")
+        for layout in ("openexr-lat-long", "openexr-cube"):
+            self.lambert("probe", "convert", "sky.pfm", "--to", layout, "--size", 32, "-o", "turned.exr")
+            for seen, want in zip(self.corner_pixel("--environment", "turned.exr"), expected):
+                self.assertAlmostEqual(seen, want, places=3, msg=layout)
+
+    def test_pixels_that_are_not_finite_are_filled(self):
+        (self.folder / "sky.pfm").write_bytes(b"PF\n2 1\n-1.0\n" + struct.pack("<6f", 1, 2, 3, 1, float("nan"), 3))
+        for seen, expected in zip(self.corner_pixel("--environment", "sky.pfm"), (1, 2, 3)):
+            self.assertAlmostEqual(seen, expected, places=4)
+
     def test_studio(self):
         self.assertGreater(min(self.corner_pixel("--environment", "studio")), 0)
 

@@ -5,6 +5,7 @@
 #include "../command.h"
 #include "../number_range.h"
 #include "../outputs.h"
+#include "../read_finite.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"

@@ -2,13 +2,13 @@
 
 #include "../number_range.h"
 #include "../outputs.h"
+#include "../read_finite.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"
 #include "lambert/base/number.h"
 #include "lambert/base/standard_streams.h"
 #include "lambert/image/io.h"
-#include "lambert/image/probe/missing.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -56,18 +56,6 @@ std::vector<Image> read_faces(const std::string& file) {
 }
 
 }  // namespace
-
-Image read_finite(const std::string& file) {
-  Image image = read_image(file);
-  if (!image.attributes.contains("envmap")) image = displayed(std::move(image));
-  const std::size_t count = fill_missing(image), pixels = image.pixels().size() / image.channel_count();
-  if (count == pixels) throw Error(file + ": expected finite pixels, there is none");
-  if (count > 0)
-    log::warn(fmt::format("{}: {} not finite; filled from {} neighbours", file,
-                          count == 1 ? "a pixel is" : fmt::format("{} pixels are", count),
-                          count == 1 ? "its" : "their"));
-  return image;
-}
 
 void warn_if_cut(const std::string& file, const Image& photograph, const BallCircle& ball) {
   if (const double part = part_in_picture(photograph, ball); part < 0.999)

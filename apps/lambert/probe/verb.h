@@ -58,9 +58,6 @@ auto named(const std::string& file, const F& f) {
 /// Warns when the frame cuts the ball.
 void warn_if_cut(const std::string& file, const Image& photograph, const probe::BallCircle& ball);
 
-/// Reads a picture, what is shown of it, and fills pixels that are not finite, with a warning; throws Error when none
-/// is. Of an environment map of OpenEXR all data count, as there.
-Image read_finite(const std::string& file);
 /// Colours over the reflectivity, if any is given. Throws Error unless it is above 0.
 probe::Probe divided(probe::Probe p, const std::vector<float>& reflectivity);
 

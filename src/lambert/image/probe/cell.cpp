@@ -27,18 +27,6 @@ CellIntegrals by_gauss(const AnyProjection& projection, int chart, const Cell& c
   return sum;
 }
 
-/// ∫∫ (sin θ sin φ, cos θ, -sin θ cos φ) sin θ dφ dθ; sums as middles and halves, which do not cancel.
-CellIntegrals of_lat_long(const LatLong& map, const Cell& cell) {
-  const double phi = 2 * pi_d * (0.5 * (cell.u0 + cell.u1) - 0.5), half_phi = pi_d * (cell.u1 - cell.u0);
-  const double theta = 0.5 * pi_d * (cell.v0 + cell.v1), delta = pi_d * (cell.v1 - cell.v0);
-  // ∫ sin² θ = (Δ - cos 2θ sin Δ) / 2, ∫ sin θ cos θ = sin 2θ sin Δ / 2 about the middle θ
-  const double across = 0.5 * (delta - std::cos(2 * theta) * std::sin(delta));
-  const double along = 0.5 * std::sin(2 * theta) * std::sin(delta);
-  const double ring = (map.centre_is_plus_z ? -2 : 2) * std::sin(half_phi) * across;
-  return {4 * half_phi * std::sin(theta) * std::sin(0.5 * delta),
-          {ring * std::sin(phi), 2 * half_phi * along, -ring * std::cos(phi)}};
-}
-
 /// ∫∫ (1 + a² + b²)^-3/2 da db from (0, 0) to (a, b).
 double cube_corner(double a, double b) { return std::atan2(a * b, std::sqrt(a * a + b * b + 1)); }
 
@@ -56,27 +44,46 @@ struct Quadrant {
   double x0, x1, y0, y1;  // 0 <= x0 < x1, 0 <= y0 < y1
 };
 
+/// Gauss' rule of six points over s of [0, 1], its places as (1 - cos πs) / 2.
+struct RingRule {
+  std::array<double, 6> place, weight;
+};
+const RingRule& ring_rule() {
+  static const RingRule rule = [] {
+    constexpr std::array<double, 3> nodes{0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
+    constexpr std::array<double, 3> weights{0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
+    RingRule r;
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double s = 0.5 * (1 + (i % 2 == 0 ? nodes[i / 2] : -nodes[i / 2]));
+      r.place[i] = 0.5 * (1 - std::cos(pi_d * s));
+      r.weight[i] = 0.25 * pi_d * weights[i / 2] * std::sin(pi_d * s);
+    }
+    return r;
+  }();
+  return rule;
+}
+
 /// Over rings of radius r(θ) from θ0 to θ1, between which no corner lies. The arc's length has square roots at the
 /// ends, where rings touch sides: θ = θ0 + (θ1 - θ0) (1 - cos πs) / 2 undoes them.
 template <class Disk>
 CellIntegrals rings(const Disk& disk, const Quadrant& q, double theta0, double theta1) {
-  constexpr std::array<double, 3> nodes{0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
-  constexpr std::array<double, 3> weights{0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
+  const RingRule& rule = ring_rule();
   CellIntegrals sum;
   for (std::size_t i = 0; i < 6; ++i) {
-    const double s = 0.5 * (1 + (i % 2 == 0 ? nodes[i / 2] : -nodes[i / 2]));
-    const double theta = theta0 + (theta1 - theta0) * 0.5 * (1 - std::cos(pi_d * s));
-    const double w = 0.5 * weights[i / 2] * (theta1 - theta0) * 0.5 * pi_d * std::sin(pi_d * s);
+    const double theta = theta0 + (theta1 - theta0) * rule.place[i];
     const auto r = static_cast<double>(disk.radius(static_cast<float>(theta)));
     const auto part = [&](double a) { return std::min(1.0, a / r); };
-    const double from = std::max(std::asin(part(q.y0)), std::acos(part(q.x1)));
-    const double to = std::min(std::asin(part(q.y1)), std::acos(part(q.x0)));
-    if (!(to > from)) continue;
-    const double ring = w * std::sin(theta);
-    sum.solid_angle += ring * (to - from);
-    sum.moment +=
-        ring * Vec3d(std::sin(theta) * (std::sin(to) - std::sin(from)),
-                     std::sin(theta) * (std::cos(from) - std::cos(to)), Disk::axis * std::cos(theta) * (to - from));
+    const auto other = [](double a) { return std::sqrt(1 - a * a); };
+    // The arc's ends, as points on a circle of radius 1.
+    const double sin_from = std::max(part(q.y0), other(part(q.x1))), cos_to = std::max(part(q.x0), other(part(q.y1)));
+    const double cos_from = other(sin_from), sin_to = other(cos_to);
+    if (!(sin_to > sin_from)) continue;
+    const double arc = std::atan2(sin_to * cos_from - cos_to * sin_from, cos_to * cos_from + sin_to * sin_from);
+    const double sin_theta = std::sin(theta);
+    const double ring = rule.weight[i] * (theta1 - theta0) * sin_theta;
+    sum.solid_angle += ring * arc;
+    sum.moment += ring * Vec3d(sin_theta * (sin_to - sin_from), sin_theta * (cos_from - cos_to),
+                               Disk::axis * std::cos(theta) * arc);
   }
   return sum;
 }
@@ -127,13 +134,28 @@ DiskReach reach_of(const Disk& disk, const Cell& cell) {
 
 }  // namespace
 
+/// ∫∫ (sin θ sin φ, cos θ, -sin θ cos φ) sin θ dφ dθ; sums as middles and halves, which do not cancel:
+/// ∫ sin² θ = (Δ - cos 2θ sin Δ) / 2, ∫ sin θ cos θ = sin 2θ sin Δ / 2 about the middle θ.
+LatLongRow lat_long_row(const Cell& cell) {
+  const double theta = 0.5 * pi_d * (cell.v0 + cell.v1), delta = pi_d * (cell.v1 - cell.v0);
+  return {2 * std::sin(theta) * std::sin(0.5 * delta), 0.5 * (delta - std::cos(2 * theta) * std::sin(delta)),
+          0.5 * std::sin(2 * theta) * std::sin(delta)};
+}
+
+LatLongColumn lat_long_column(const LatLong& map, const Cell& cell) {
+  const double phi = 2 * pi_d * (0.5 * (cell.u0 + cell.u1) - 0.5), width = 2 * pi_d * (cell.u1 - cell.u0);
+  const double chord = (map.centre_is_plus_z ? -2 : 2) * std::sin(0.5 * width);
+  return {width, chord * std::sin(phi), -chord * std::cos(phi)};
+}
+
 DiskReach disk_reach(const AnyProjection& projection, const Cell& cell) {
   if (const auto* ball = std::get_if<MirrorBall>(&projection)) return reach_of(*ball, cell);
   return reach_of(std::get<Fisheye>(projection), cell);
 }
 
 CellIntegrals integrals(const AnyProjection& projection, int chart, const Cell& cell) {
-  if (const auto* map = std::get_if<LatLong>(&projection)) return of_lat_long(*map, cell);
+  if (const auto* map = std::get_if<LatLong>(&projection))
+    return integrals(lat_long_row(cell), lat_long_column(*map, cell));
   if (const auto* ball = std::get_if<MirrorBall>(&projection)) return of_disk(*ball, cell);
   if (const auto* fisheye = std::get_if<Fisheye>(&projection)) return of_disk(*fisheye, cell);
   const CellIntegrals sum = by_gauss(projection, chart, cell);

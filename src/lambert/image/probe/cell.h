@@ -26,4 +26,17 @@ DiskReach disk_reach(const AnyProjection& projection, const Cell& cell);
 /// axis nothing is singular. Relative errors are below 1e-5 for cells that span less than 0.1 rad.
 CellIntegrals integrals(const AnyProjection& projection, int chart, const Cell& cell);
 
+/// The integrals over a cell of a lat-long map are products of what its rows give and what its columns give.
+struct LatLongRow {
+  double solid_angle, across, along;
+};
+struct LatLongColumn {
+  double width, x, z;
+};
+LatLongRow lat_long_row(const Cell& cell);
+LatLongColumn lat_long_column(const LatLong& map, const Cell& cell);
+inline CellIntegrals integrals(const LatLongRow& row, const LatLongColumn& column) {
+  return {column.width * row.solid_angle, {column.x * row.across, column.width * row.along, column.z * row.across}};
+}
+
 }  // namespace lambert::probe

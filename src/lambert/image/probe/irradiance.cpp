@@ -1,8 +1,8 @@
 #include "lambert/image/probe/irradiance.h"
 
 #include "lambert/base/parallel.h"
-#include "lambert/image/probe/disk.h"
-#include "lambert/image/probe/texels.h"
+#include "lambert/image/probe/linear_radiance.h"
+#include "lambert/image/probe/parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,20 +14,20 @@ namespace {
 
 using Node = Irradiance::Node;
 
-constexpr float widest = 0.03f;  // half angle of a leaf, radians
-constexpr int most_leaves = 1 << 19, deepest = 11;
+constexpr int most_leaves = 1 << 19;
 
 /// Some texels of a chart, or a part of a single one.
 struct Patch {
   int chart;
   Window texels;
-  Cell cell;      // what of the chart they show
-  int depth = 0;  // how often the texel was cut in four
+  Cell cell;                                 // what of the chart they show
+  int depth = 0;                             // how often the texel was cut in four
+  const LinearRadiance* radiance = nullptr;  // of a texel that was cut
 };
 
 class Tree {
  public:
-  explicit Tree(const Probe& probe) : probe_(probe) {
+  explicit Tree(const Probe& probe) : probe_(probe), texel_(probe) {
     const auto leaves = [&] {
       const auto along = [&](int n) { return static_cast<std::int64_t>((n + block_ - 1) / block_); };
       return along(probe.width()) * along(probe.height()) * static_cast<std::int64_t>(probe.charts.size());
@@ -55,16 +55,22 @@ class Tree {
     if (p.texels.width <= block_ && p.texels.height <= block_) {
       Node leaf;
       angle = fill(p, leaf);
-      if (angle <= widest || p.depth == deepest) {
+      if (angle <= widest_part || p.depth == deepest_cut) {
         nodes[at] = leaf;
         set_radius(nodes[at], angle);
         return angle;
       }
     }
+    LinearRadiance radiance;
+    Patch cut = p;
+    if (!cut.radiance && p.texels.width == 1 && p.texels.height == 1) {
+      radiance = linear_radiance(probe_, {p.chart, p.texels.x, p.texels.y});
+      cut.radiance = &radiance;
+    }
     std::array<std::size_t, 4> children{};
     std::array<float, 4> angles{};
     std::size_t count = 0;
-    for (const Patch& part : parts_of(p)) {
+    for (const Patch& part : parts_of(cut)) {
       children[count] = nodes.size();
       angles[count++] = build(part, nodes);
     }
@@ -80,78 +86,36 @@ class Tree {
   }
 
   std::vector<Patch> parts_of(const Patch& p) const {
-    std::vector<Patch> parts;
+    std::vector<Patch> patches;
     if (p.texels.width == 1 && p.texels.height == 1) {
-      if (at_rim(p.cell)) {
-        const DiskReach r = disk_reach(probe_.projection, p.cell);
-        for (int i = 0; i < 4; ++i) {
-          Cell slice = p.cell;
-          slice.theta0 = r.theta0 + 0.25 * i * (r.theta1 - r.theta0);
-          slice.theta1 = r.theta0 + 0.25 * (i + 1) * (r.theta1 - r.theta0);
-          parts.push_back({p.chart, p.texels, slice, p.depth + 1});
-        }
-        return parts;
-      }
-      const double u = 0.5 * (p.cell.u0 + p.cell.u1), v = 0.5 * (p.cell.v0 + p.cell.v1);
-      for (const Cell& c : {Cell{p.cell.u0, u, p.cell.v0, v}, Cell{u, p.cell.u1, p.cell.v0, v},
-                            Cell{p.cell.u0, u, v, p.cell.v1}, Cell{u, p.cell.u1, v, p.cell.v1}})
-        parts.push_back({p.chart, p.texels, c, p.depth + 1});
-      return parts;
+      for (const Cell& c : parts(probe_.projection, p.cell))
+        patches.push_back({p.chart, p.texels, c, p.depth + 1, p.radiance});
+      return patches;
     }
     const Window& w = p.texels;
     const int left = (w.width + 1) / 2, top = (w.height + 1) / 2;
     for (const Window& part :
          {Window{w.x, w.y, left, top}, Window{w.x + left, w.y, w.width - left, top},
           Window{w.x, w.y + top, left, w.height - top}, Window{w.x + left, w.y + top, w.width - left, w.height - top}})
-      if (part.width > 0 && part.height > 0) parts.push_back(patch(p.chart, part));
-    return parts;
+      if (part.width > 0 && part.height > 0) patches.push_back(patch(p.chart, part));
+    return patches;
   }
 
   /// Moments and axis of a leaf; returns the half angle of the cone about its corners.
   float fill(const Patch& p, Node& node) const {
     const Image& image = probe_.charts[static_cast<std::size_t>(p.chart)];
-    Vec3d sum(0);
-    double solid_angle = 0;
+    CellIntegrals sum;
     for (int y = p.texels.y; y < p.texels.y + p.texels.height; ++y)
       for (int x = p.texels.x; x < p.texels.x + p.texels.width; ++x) {
-        const Cell cell = p.depth > 0 ? p.cell : texel_cell(probe_, x, y);
-        const CellIntegrals i = integrals(probe_.projection, p.chart, cell);
-        const Rgb c = image.rgb(x, y);
+        const CellIntegrals i = p.radiance ? integrals(probe_.projection, p.chart, p.cell) : texel_(p.chart, x, y);
+        if (!(i.solid_angle > 0)) continue;  // out of the disk
+        const Rgb c = p.radiance ? (*p.radiance)(i.moment / i.solid_angle) : image.rgb(x, y);
         for (int k = 0; k < 3; ++k) node.moment[static_cast<std::size_t>(k)] += c[k] * Vec3(i.moment);
-        sum += i.moment, solid_angle += i.solid_angle;
+        sum.moment += i.moment, sum.solid_angle += i.solid_angle;
       }
-    const double size = length(sum);
-    if (!(solid_angle > 0)) return 0;             // out of the disk
-    if (!(size > 0.99 * solid_angle)) return pi;  // directions that undo each other: corners say nothing
-    node.axis = Vec3(sum / size);
-    if (p.texels.width == 1 && p.texels.height == 1 && at_rim(p.cell)) {
-      const DiskReach r = disk_reach(probe_.projection, p.cell);
-      return static_cast<float>(std::hypot(0.5 * (r.theta1 - r.theta0), 0.6 * diagonal(p.cell)));
-    }
-    float angle = 0;
-    for (const Vec2d corner : {Vec2d(p.cell.u0, p.cell.v0), Vec2d(p.cell.u1, p.cell.v0), Vec2d(p.cell.u0, p.cell.v1),
-                               Vec2d(p.cell.u1, p.cell.v1)})
-      if (const auto d = direction(probe_.projection, {p.chart, on_disk(Vec2(corner))}))
-        angle = std::max(angle, between(*d, node.axis));
-    return angle;
+    if (length(sum.moment) > 0) node.axis = Vec3(normalize(sum.moment));
+    return half_angle(probe_.projection, p.chart, p.cell, sum);
   }
-
-  bool has_disk() const {
-    return std::holds_alternative<MirrorBall>(probe_.projection) || std::holds_alternative<Fisheye>(probe_.projection);
-  }
-  static double diagonal(const Cell& c) { return 2 * std::hypot(c.u1 - c.u0, c.v1 - c.v0); }
-  /// Near the rim a cell is long along the radius, which no side of it need follow: there rings cut it.
-  bool at_rim(const Cell& c) const {
-    return has_disk() && diagonal(c) < static_cast<double>(widest) && disk_reach(probe_.projection, c).nearest > 0.9;
-  }
-  /// The corner itself, or what of the disk is nearest to it.
-  Vec2 on_disk(Vec2 uv) const {
-    const Vec2 p = disk_point(uv);
-    const float r = length(p);
-    return has_disk() && r > 0.999999f ? disk_uv(p * (0.999999f / r)) : uv;
-  }
-  /// By the chord: acos has no digits for small angles.
-  static float between(Vec3 a, Vec3 b) { return 2 * std::asin(std::min(1.0f, 0.5f * length(a - b))); }
 
   static float join(std::vector<Node>& nodes, std::size_t at, std::span<const std::size_t> children,
                     const std::array<float, 4>& angles) {
@@ -166,7 +130,7 @@ class Tree {
     float angle = 0;
     for (std::size_t i = 0; i < children.size(); ++i)
       if (nodes[children[i]].axis != Vec3(0))
-        angle = std::max(angle, angles[i] + between(nodes[children[i]].axis, node.axis));
+        angle = std::max(angle, angles[i] + angle_between(nodes[children[i]].axis, node.axis));
     return angle;
   }
 
@@ -176,6 +140,7 @@ class Tree {
   }
 
   const Probe& probe_;
+  TexelIntegrals texel_;
   int block_ = 1;  // texels along a leaf
 };
 

@@ -9,10 +9,10 @@ namespace lambert::probe {
 
 /// Irradiance from all around by full quadrature: E(n) = ∫ L(d) max(0, n·d) dω, per channel of colour (grey counts as
 /// three equal ones). Moments ∫ L d dω of ever larger blocks of texels stand in a tree: blocks that a surface sees
-/// wholly give n · moment, which is exact; blocks on its horizon are split, texels that are wide (coarse maps, the rim
-/// of a ball) too. Of maps above 2^19 texels the leaves are blocks. A constant environment is right to 1e-4 in every
-/// layout and size, a cosine lobe on maps whose texels span 2 degrees or less too (128 rows of a lat-long map), on
-/// mirror balls, whose texels at the rim are long, to 1e-3. Values must be finite.
+/// wholly give n · moment, which is exact; blocks on its horizon are split. Texels that are wide (coarse maps, the rim
+/// of a ball) are cut, and radiance in them is linear (linear_radiance.h). Of maps above 2^19 texels the leaves are
+/// blocks. A constant environment is right to 1e-4 in every layout and size, L = a + b·d and lobes up to cos³ in every
+/// layout of 64 rows or more too, where texels are means over what they show. Values must be finite.
 class Irradiance {
  public:
   explicit Irradiance(const Probe& probe);

@@ -131,12 +131,19 @@ std::vector<std::string> layout_names() {
   return names;
 }
 
+std::optional<std::string> stated_layout(const Image& image) {
+  const auto envmap = image.attributes.find("envmap");
+  if (envmap == image.attributes.end()) return std::nullopt;
+  if (envmap->second == openexr_lat_long) return "openexr-lat-long";
+  if (envmap->second == openexr_cube) return "openexr-cube";
+  return std::nullopt;
+}
+
+Image whole_map(Image picture) { return stated_layout(picture) ? std::move(picture) : displayed(std::move(picture)); }
+
 std::string guess_layout(const Image& image) {
   const auto w = static_cast<std::int64_t>(image.width()), h = static_cast<std::int64_t>(image.height());
-  if (const auto envmap = image.attributes.find("envmap"); envmap != image.attributes.end()) {
-    if (envmap->second == openexr_lat_long) return "openexr-lat-long";
-    if (envmap->second == openexr_cube) return "openexr-cube";
-  }
+  if (auto stated = stated_layout(image)) return *stated;
   if (w == 2 * h) return "lat-long";
   if (4 * w == 3 * h) return "vertical-cross";
   if (3 * w == 4 * h) return "horizontal-cross";

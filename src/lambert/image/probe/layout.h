@@ -5,6 +5,7 @@
 #include "lambert/image/probe/projection.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,8 +37,12 @@ struct Layout {
 /// opengl-strip, opengl-faces, octahedral, equal-area, openexr-lat-long, openexr-cube. Throws Error for other names.
 Layout layout(std::string_view name);
 std::vector<std::string> layout_names();
+/// What OpenEXR's attribute `envmap` says a picture is, openexr-lat-long or openexr-cube, if it has it.
+std::optional<std::string> stated_layout(const Image& image);
+/// What of a picture is the map: all data where `envmap` is set, as OpenEXR has it, else what is shown.
+Image whole_map(Image picture);
 /// What a picture of this shape is most likely, as a name; throws Error for a shape of no or of several layouts (1:1)
-/// that says so. OpenEXR's attribute `envmap` goes before the shape: openexr-lat-long or openexr-cube.
+/// that says so. The stated layout goes before the shape.
 std::string guess_layout(const Image& image);
 
 /// A map of directions, its charts all of one size and with the same channels.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <concepts>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace lambert::probe {
@@ -171,6 +172,16 @@ Probe resample(const Probe& source, const AnyProjection& projection, TexelRule t
   target.charts.front().attributes = source.charts.front().attributes;
   Resampler(source, target, settings).run();
   return target;
+}
+
+Image lat_long_map(const Layout& layout, Image picture) {
+  std::vector<Image> pictures;
+  pictures.push_back(std::move(picture));
+  const Probe source = cut(layout, std::move(pictures));
+  const Vec2i size = source.projection == AnyProjection(LatLong{}) ? Vec2i(source.width(), source.height())
+                                                                   : similar_size(source, LatLong{});
+  Probe map = resample(source, LatLong{}, TexelRule::cells, size);
+  return std::move(arranged(std::move(map), Arrangement::single).front());
 }
 
 Vec2i similar_size(const Probe& source, const AnyProjection& projection) {

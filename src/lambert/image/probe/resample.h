@@ -20,6 +20,10 @@ struct ResampleSettings {
 Probe resample(const Probe& source, const AnyProjection& projection, TexelRule texels, Vec2i size,
                const ResampleSettings& settings = {});
 
+/// A picture as the lat-long map that lights and panoramas take, about as fine; the picture itself if it is one. Throws
+/// Error as cut() does.
+Image lat_long_map(const Layout& layout, Image picture);
+
 /// A chart's size in `projection` that has about the source's angular resolution.
 Vec2i similar_size(const Probe& source, const AnyProjection& projection);
 

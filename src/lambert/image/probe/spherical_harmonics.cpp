@@ -2,11 +2,15 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/parallel.h"
-#include "lambert/image/probe/texels.h"
+#include "lambert/image/probe/linear_radiance.h"
+#include "lambert/image/probe/parts.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 namespace lambert::probe {
 namespace {
@@ -60,45 +64,110 @@ void sh_basis(int order, Vec3 d, std::span<double> values) {
   }
 }
 
+namespace {
+
+/// Adds up L Y_lm dω over texels.
+class Projector {
+ public:
+  Projector(const Probe& probe, int order)
+      : probe_(probe), order_(order), count_(sh_count(order)), disk_(has_disk(probe.projection)), sum_(count_) {}
+
+  void add(const Texel& texel, double solid_angle) {
+    const Rgb colour = probe_.charts[static_cast<std::size_t>(texel.chart)].rgb(texel.x, texel.y);
+    const Cell cell = texel_cell(probe_, texel.x, texel.y);
+    if (!add_narrow(texel.chart, cell, solid_angle, colour)) add_wide(texel, cell);
+  }
+  std::vector<ShColour> sum() && { return std::move(sum_); }
+
+ private:
+  struct Point {
+    Vec3 direction;
+    double weight;  // their sum is 1
+  };
+
+  /// Gauss' rule; none where a point lies out of the disk.
+  std::optional<std::array<Point, 4>> gauss_points(int chart, const Cell& c) const {
+    constexpr double gauss = 0.5 / std::numbers::sqrt3;
+    std::array<Point, 4> points;
+    double total = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const MapPoint at{chart, Vec2(std::lerp(c.u0, c.u1, 0.5 + ((k & 1) ? gauss : -gauss)),
+                                    std::lerp(c.v0, c.v1, 0.5 + ((k & 2) ? gauss : -gauss)))};
+      const auto d = direction(probe_.projection, at);
+      if (!d) return std::nullopt;
+      points[k] = {*d, static_cast<double>(density(probe_.projection, at))};
+      total += points[k].weight;
+    }
+    if (!(total > 0)) return std::nullopt;
+    for (Point& p : points) p.weight /= total;
+    return points;
+  }
+
+  /// False for texels that one colour is not enough for, and for some at rims.
+  bool add_narrow(int chart, const Cell& cell, double solid_angle, Rgb colour) {
+    // The mean of a basis function over a square of side s differs by l (l + 1) s² / 24 of it from the middle's.
+    if (!disk_ && order_ * (order_ + 1) * solid_angle < 24e-5) {
+      const MapPoint middle{chart, Vec2(Vec2d(cell.u0 + cell.u1, cell.v0 + cell.v1) * 0.5)};
+      add(*direction(probe_.projection, middle), solid_angle, colour);
+      return true;
+    }
+    const auto points = gauss_points(chart, cell);
+    if (!points) return false;
+    const auto apart = [&](std::size_t i, std::size_t k) {
+      return length((*points)[i].direction - (*points)[k].direction);
+    };
+    // Corners are √3 times as far apart.
+    if (0.5f * std::numbers::sqrt3_v<float> * std::max(apart(0, 3), apart(1, 2)) > widest_part) return false;
+    for (const Point& p : *points) add(p.direction, solid_angle * p.weight, colour);
+    return true;
+  }
+
+  void add_wide(const Texel& texel, const Cell& cell) {
+    const LinearRadiance radiance = linear_radiance(probe_, texel);
+    for_each_part(probe_.projection, texel.chart, cell, [&](const Cell& part, const CellIntegrals& i) {
+      const auto points = disk_ ? std::nullopt : gauss_points(texel.chart, part);
+      if (!points) return add(Vec3(normalize(i.moment)), i.solid_angle, radiance(i.moment / i.solid_angle));
+      for (const Point& p : *points) add(p.direction, i.solid_angle * p.weight, radiance(Vec3d(p.direction)));
+    });
+  }
+
+  void add(Vec3 d, double solid_angle, Rgb colour) {
+    sh_basis(order_, d, basis_);
+    const double r = solid_angle * static_cast<double>(colour.r), g = solid_angle * static_cast<double>(colour.g),
+                 b = solid_angle * static_cast<double>(colour.b);
+    for (std::size_t j = 0; j < count_; ++j)
+      sum_[j].r += r * basis_[j], sum_[j].g += g * basis_[j], sum_[j].b += b * basis_[j];
+  }
+
+  const Probe& probe_;
+  int order_;
+  std::size_t count_;
+  bool disk_;
+  std::array<double, most_coefficients> basis_;
+  std::vector<ShColour> sum_;
+};
+
+}  // namespace
+
 std::vector<ShColour> sh_project(const Probe& probe, int order) {
   if (order < 0 || order > highest_sh_order)
     throw Error("spherical harmonics: the order must be from 0 to " + std::to_string(highest_sh_order));
-  const std::size_t count = sh_count(order);
   const TexelMeasure measure = texel_measure(probe);
   const auto width = static_cast<std::size_t>(probe.width()), height = static_cast<std::size_t>(probe.height());
   // Sums of rows, added up in their order: the same for any number of threads.
   std::vector<std::vector<ShColour>> rows(probe.charts.size() * height);
   parallel_for(rows.size(), [&](std::size_t i) {
     const std::size_t chart = i / height, y = i % height;
-    const Image& image = probe.charts[chart];
-    std::vector<ShColour>& sum = rows[i];
-    sum.resize(count);
-    std::array<double, most_coefficients> basis, mean;
-    for (std::size_t x = 0; x < width; ++x) {
-      constexpr float gauss = 0.288675135f;  // 1 / (2 √3)
-      std::fill_n(mean.begin(), count, 0.0);
-      double weight = 0;
-      for (int k = 0; k < 4; ++k) {
-        const Vec2 pixel = Vec2(x, y) + 0.5f + Vec2((k & 1) ? gauss : -gauss, (k & 2) ? gauss : -gauss);
-        const MapPoint at{static_cast<int>(chart), uv_of(probe, pixel)};
-        const auto d = direction(probe.projection, at);
-        if (!d) continue;
-        const auto w = static_cast<double>(density(probe.projection, at));
-        sh_basis(order, *d, basis);
-        for (std::size_t c = 0; c < count; ++c) mean[c] += w * basis[c];
-        weight += w;
-      }
-      if (!(weight > 0)) continue;
-      const double scale = static_cast<double>(measure.solid_angle[y * width + x]) / weight;
-      const Rgb c = image.rgb(static_cast<int>(x), static_cast<int>(y));
-      const double r = scale * static_cast<double>(c.r), g = scale * static_cast<double>(c.g),
-                   b = scale * static_cast<double>(c.b);
-      for (std::size_t j = 0; j < count; ++j) sum[j].r += r * mean[j], sum[j].g += g * mean[j], sum[j].b += b * mean[j];
-    }
+    Projector projector(probe, order);
+    for (std::size_t x = 0; x < width; ++x)
+      projector.add({static_cast<int>(chart), static_cast<int>(x), static_cast<int>(y)},
+                    static_cast<double>(measure.solid_angle[y * width + x]));
+    rows[i] = std::move(projector).sum();
   });
-  std::vector<ShColour> total(count);
+  std::vector<ShColour> total(sh_count(order));
   for (const auto& row : rows)
-    for (std::size_t j = 0; j < count; ++j) total[j].r += row[j].r, total[j].g += row[j].g, total[j].b += row[j].b;
+    for (std::size_t j = 0; j < total.size(); ++j)
+      total[j].r += row[j].r, total[j].g += row[j].g, total[j].b += row[j].b;
   return total;
 }
 

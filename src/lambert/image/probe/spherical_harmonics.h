@@ -20,8 +20,9 @@ void sh_basis(int order, Vec3 direction, std::span<double> values);
 struct ShColour {
   double r = 0, g = 0, b = 0;
 };
-/// L_lm = ∫ L Y_lm dω with exact solid angles, four points a texel. Values must be finite. Throws Error for an order
-/// out of [0, highest_sh_order].
+/// L_lm = ∫ L Y_lm dω with exact solid angles, by one to four points a texel; texels that are wide are cut, and
+/// radiance in them is linear (linear_radiance.h). Values must be finite. Throws Error for an order out of [0,
+/// highest_sh_order].
 std::vector<ShColour> sh_project(const Probe& probe, int order);
 /// Radiance; `coefficients` has sh_count(order) entries.
 Rgb sh_radiance(std::span<const ShColour> coefficients, Vec3 direction);

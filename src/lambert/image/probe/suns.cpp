@@ -1,18 +1,15 @@
 #include "lambert/image/probe/suns.h"
 
-#include "lambert/image/probe/texels.h"
+#include "lambert/image/probe/linear_radiance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <unordered_map>
 
 namespace lambert::probe {
 namespace {
-
-struct Texel {
-  int chart, x, y;
-};
 
 class Finder {
  public:
@@ -64,18 +61,6 @@ class Finder {
     return best;
   }
 
-  /// The texel across a side: on the sphere where the chart ends.
-  std::optional<Texel> neighbour(const Texel& t, int dx, int dy) const {
-    const Texel n{t.chart, t.x + dx, t.y + dy};
-    if (n.x >= 0 && n.y >= 0 && n.x < sky_.width() && n.y < sky_.height()) return n;
-    const auto d = direction(sky_.projection, {t.chart, uv_of(sky_, Vec2(n.x, n.y) + 0.5f)});
-    const auto p = d ? point(sky_.projection, *d) : std::nullopt;
-    if (!p) return std::nullopt;
-    const Vec2 pixel = pixel_of(sky_, p->uv);
-    return Texel{p->chart, std::clamp(static_cast<int>(pixel.x), 0, sky_.width() - 1),
-                 std::clamp(static_cast<int>(pixel.y), 0, sky_.height() - 1)};
-  }
-
   /// What is connected to `from` by sides of texels and at least as bright; empty when it is too large for a sun.
   std::vector<Texel> connected(const Texel& from, float low) const {
     std::vector<Texel> found{from};
@@ -84,7 +69,7 @@ class Finder {
     if (solid_angle > settings_.largest) return {};
     for (std::size_t i = 0; i < found.size(); ++i)
       for (const Vec2i step : {Vec2i(1, 0), Vec2i(-1, 0), Vec2i(0, 1), Vec2i(0, -1)}) {
-        const auto n = neighbour(found[i], step.x, step.y);
+        const auto n = neighbour(sky_, found[i], step);
         if (!n || seen.contains(key(*n)) || !(luminance(at(*n)) >= low) || !(omega(*n) > 0)) continue;
         seen[key(*n)] = true;
         found.push_back(*n);
@@ -93,32 +78,44 @@ class Finder {
     return found;
   }
 
+  /// ∫ L d dω over the texels, of r, g, b.
+  std::array<Vec3d, 3> moments_of(const std::vector<Texel>& texels) const {
+    std::array<Vec3d, 3> sum{};
+    for (const Texel& t : texels) {
+      const auto moments = radiance_moments(sky_, t);
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += moments[k];
+    }
+    return sum;
+  }
+
+  std::vector<Texel> touched_by(const std::vector<Texel>& disk) const {
+    std::vector<Texel> touched;
+    for (const Texel& t : disk) add_touched(sky_, t, touched);
+    std::sort(touched.begin(), touched.end(), [&](const Texel& a, const Texel& b) { return key(a) < key(b); });
+    const auto same = [&](const Texel& a, const Texel& b) { return key(a) == key(b); };
+    touched.erase(std::unique(touched.begin(), touched.end(), same), touched.end());
+    return touched;
+  }
+
   Sun take(const std::vector<Texel>& disk, float top, double solid_angle) {
-    std::vector<Rgb> before;
-    for (const Texel& t : disk) before.push_back(at(t));
+    const std::vector<Texel> touched = touched_by(disk);
+    const auto before = moments_of(touched);
+    Vec3d radiance(0);
+    for (const Texel& t : disk) radiance += Vec3d(at(t).r, at(t).g, at(t).b) * static_cast<double>(omega(t));
     fill(disk);
-    double moment[3][3] = {}, towards[3] = {}, radiance[3] = {};
-    for (std::size_t i = 0; i < disk.size(); ++i) {
-      const Texel& t = disk[i];
-      const Vec3 m = texel_moment(sky_, t.chart, t.x, t.y);
-      const Rgb after = at(t), taken = before[i] - after;
-      for (int k = 0; k < 3; ++k) {
-        radiance[k] += static_cast<double>(before[i][k] * omega(t));
-        for (int c = 0; c < 3; ++c) moment[k][c] += static_cast<double>(taken[k]) * static_cast<double>(m[c]);
-      }
-    }
-    for (int c = 0; c < 3; ++c) towards[c] = 0.2126 * moment[0][c] + 0.7152 * moment[1][c] + 0.0722 * moment[2][c];
-    const double size = std::hypot(towards[0], towards[1], towards[2]);
+    const auto after = moments_of(touched);
+    std::array<Vec3d, 3> moment;
+    for (std::size_t k = 0; k < 3; ++k) moment[k] = before[k] - after[k];
+    const Vec3d towards = 0.2126 * moment[0] + 0.7152 * moment[1] + 0.0722 * moment[2];
+    const double size = length(towards);
+    const Vec3d axis = size > 0 ? towards / size : Vec3d(0);
+    const auto rgb = [](Vec3d v) {
+      return Rgb(static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
+    };
     Sun sun;
-    if (size > 0) sun.direction = Vec3(Vec3d(towards[0], towards[1], towards[2]) / size);
-    float e[3], l[3];
-    for (int k = 0; k < 3; ++k) {
-      double along = 0;
-      for (int c = 0; c < 3; ++c) along += moment[k][c] * (size > 0 ? towards[c] / size : 0);
-      e[k] = static_cast<float>(along);
-      l[k] = static_cast<float>(radiance[k] / std::max(solid_angle, 1e-12));
-    }
-    sun.irradiance = {e[0], e[1], e[2]}, sun.radiance = {l[0], l[1], l[2]};
+    if (size > 0) sun.direction = Vec3(axis);
+    sun.irradiance = rgb({dot(moment[0], axis), dot(moment[1], axis), dot(moment[2], axis)});
+    sun.radiance = rgb(radiance / std::max(solid_angle, 1e-12));
     sun.solid_angle = static_cast<float>(solid_angle);
     // ω = 2π (1 - cos r)
     sun.angular_radius =
@@ -141,7 +138,7 @@ class Finder {
     float rim_count = 0;
     for (std::size_t i = 0; i < disk.size(); ++i)
       for (const Vec2i step : {Vec2i(1, 0), Vec2i(-1, 0), Vec2i(0, 1), Vec2i(0, -1)}) {
-        const auto n = neighbour(disk[i], step.x, step.y);
+        const auto n = neighbour(sky_, disk[i], step);
         if (!n) continue;
         if (const auto found = index.find(key(*n)); found != index.end()) {
           sides[i].inner.push_back(found->second);

@@ -12,12 +12,13 @@ Rgb sky(Vec3 d) { return d.y > 0 ? Rgb(0.3f, 0.5f, 0.9f) * (1 + d.y) : Rgb(0.1f)
 
 // rows: LF-25 LF-27
 TEST(Suns, SkyAndSunTogetherLightAsTheMapDid) {
-  for (const AnyProjection& p : {AnyProjection(LatLong{}), AnyProjection(Cube{}), AnyProjection(Octahedral{})})
+  // Of about one resolution.
+  for (const auto& [p, rows] : {std::pair<AnyProjection, int>{LatLong{}, 128}, {Cube{}, 64}, {Octahedral{}, 128}})
     for (const Vec3 towards :
          {Vec3(0.3f, 0.6f, -0.5f), Vec3(0.01f, 0.4f, 1), Vec3(0.02f, 1, 0.01f), Vec3(1, 0.5f, 1)}) {
       const Vec3 sun = normalize(towards);
       const Probe probe =
-          map_of(p, 128, [&](Vec3 d) { return sky(d) + (dot(d, sun) > std::cos(0.04f) ? Rgb(20000) : Rgb()); });
+          map_of(p, rows, [&](Vec3 d) { return sky(d) + (dot(d, sun) > std::cos(0.04f) ? Rgb(20000) : Rgb()); });
       const SunsAndSky found = separate_suns(probe);
       ASSERT_EQ(found.suns.size(), 1u) << p.index();
       const Sun& s = found.suns.front();
@@ -33,6 +34,24 @@ TEST(Suns, SkyAndSunTogetherLightAsTheMapDid) {
       for (const Image& chart : found.sky.charts)
         for (const float v : chart.pixels()) top = std::max(top, v);
       EXPECT_LT(top, 2);
+    }
+}
+
+// Texels so wide that their neighbours' gradients hang on the sun.
+TEST(Suns, BooksStayEvenOnCoarseMapsAndAtRims) {
+  for (const auto& [p, rows] : {std::pair<AnyProjection, int>{LatLong{}, 32}, {Cube{}, 16}, {MirrorBall{}, 96}})
+    for (const Vec3 towards : {Vec3(0.3f, 0.6f, -0.5f), Vec3(0.1f, 0.05f, -1), Vec3(1, 1, 1)}) {
+      const Vec3 sun = normalize(towards);
+      const Probe probe = map_of(
+          p, rows, [&](Vec3 d) { return sky(d) + (dot(d, sun) > std::cos(0.04f) ? Rgb(20000) : Rgb()); }, 6);
+      const SunsAndSky found = separate_suns(probe);
+      ASSERT_EQ(found.suns.size(), 1u) << p.index();
+      const Sun& s = found.suns.front();
+      const Irradiance all(probe), rest(found.sky);
+      for (const Vec3 n : {s.direction, normalize(s.direction + Vec3(0.4f, 0, 0.3f))}) {
+        const float want = all(n).g, got = rest(n).g + dot(n, s.direction) * s.irradiance.g;
+        EXPECT_NEAR(got / want, 1, 1e-4f) << p.index() << " " << sun.x;
+      }
     }
 }
 

@@ -30,29 +30,41 @@ Vec2 pixel_of(const Probe& probe, Vec2 uv) {
   return uv * (size - 1.0f) + 0.5f;
 }
 
+std::optional<Texel> texel_at(const Probe& probe, Vec3 d) {
+  const auto p = point(probe.projection, d);
+  if (!p) return std::nullopt;
+  const Vec2 pixel = pixel_of(probe, p->uv);
+  return Texel{p->chart, std::clamp(static_cast<int>(pixel.x), 0, probe.width() - 1),
+               std::clamp(static_cast<int>(pixel.y), 0, probe.height() - 1)};
+}
+
+std::optional<Texel> neighbour(const Probe& probe, const Texel& texel, Vec2i step) {
+  const Texel n{texel.chart, texel.x + step.x, texel.y + step.y};
+  if (n.x >= 0 && n.y >= 0 && n.x < probe.width() && n.y < probe.height()) return n;
+  const auto d = direction(probe.projection, {n.chart, uv_of(probe, Vec2(n.x, n.y) + 0.5f)});
+  return d ? texel_at(probe, *d) : std::nullopt;
+}
+
 Cell texel_cell(const Probe& probe, int x, int y) {
   const Span u = span_of(probe.texels, x, probe.width()), v = span_of(probe.texels, y, probe.height());
   return {u.low, u.high, v.low, v.high};
 }
 
+TexelIntegrals::TexelIntegrals(const Probe& probe) : probe_(&probe) {
+  const auto* map = std::get_if<LatLong>(&probe.projection);
+  if (!map) return;
+  for (int y = 0; y < probe.height(); ++y) rows_.push_back(lat_long_row(texel_cell(probe, 0, y)));
+  for (int x = 0; x < probe.width(); ++x) columns_.push_back(lat_long_column(*map, texel_cell(probe, x, 0)));
+}
+
 TexelMeasure texel_measure(const Probe& probe) {
   const auto w = static_cast<std::size_t>(probe.width()), h = static_cast<std::size_t>(probe.height());
-  // Rows of lat-long maps are even, but for the halves at the ends of edge-to-edge ones.
-  const bool even = std::holds_alternative<LatLong>(probe.projection) && w > 2;
+  const TexelIntegrals texel(probe);
   TexelMeasure m;
   m.solid_angle.resize(w * h);
-  parallel_for(h, [&](std::size_t row) {
-    float* out = &m.solid_angle[row * w];
-    const auto at = [&](std::size_t x) {
-      const Cell cell = texel_cell(probe, static_cast<int>(x), static_cast<int>(row));
-      return static_cast<float>(integrals(probe.projection, 0, cell).solid_angle);
-    };
-    if (even) {
-      std::fill_n(out, w, at(1));
-      out[0] = out[w - 1] = at(0);
-    } else {
-      for (std::size_t x = 0; x < w; ++x) out[x] = at(x);
-    }
+  parallel_for(h, [&](std::size_t y) {
+    for (std::size_t x = 0; x < w; ++x)
+      m.solid_angle[y * w + x] = static_cast<float>(texel(0, static_cast<int>(x), static_cast<int>(y)).solid_angle);
   });
   return m;
 }
