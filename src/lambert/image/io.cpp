@@ -366,7 +366,8 @@ void check_write_options(const std::filesystem::path& path, const WriteOptions& 
   }
 }
 
-void write_image(const std::filesystem::path& path, const Image& image, const WriteOptions& options) {
+std::vector<std::byte> encode_image(const std::filesystem::path& path, const Image& image,
+                                    const WriteOptions& options) {
   check_write_options(path, options);
   const Format& format = format_of(path);
   try {
@@ -374,10 +375,18 @@ void write_image(const std::filesystem::path& path, const Image& image, const Wr
     const bool cropped = !format.windows && image.data_window() != image.display_window();
     const Image shown = cropped ? displayed(image) : Image();
     const Image& written = cropped ? shown : image;
-    write_atomically(
-        path, format.encode
-                  ? format.encode(written, options)
-                  : format.encode_display(to_display(written, format, chosen_depth(format, options.depth)), options));
+    return format.encode
+               ? format.encode(written, options)
+               : format.encode_display(to_display(written, format, chosen_depth(format, options.depth)), options);
+  } catch (const std::exception&) {
+    rethrow_named(path.string());
+  }
+}
+
+void write_image(const std::filesystem::path& path, const Image& image, const WriteOptions& options) {
+  const std::vector<std::byte> bytes = encode_image(path, image, options);
+  try {
+    write_atomically(path, bytes);
   } catch (const std::exception&) {
     rethrow_named(path.string());
   }
