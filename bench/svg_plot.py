@@ -29,7 +29,7 @@ def bars(title, unit, rows):
         y, length = top + i * step, (WIDTH - left - 110) * value / largest
         body.append(_text(left - 8, y + 14, label, "end"))
         body.append(f'<rect x="{left}" y="{y + 2}" width="{length:.1f}" height="{step - 8}" fill="{COLOURS[groups.index(group)]}"/>')
-        body.append(_text(left + length + 6, y + 14, f"{value:.3g} {unit}"))
+        body.append(_text(left + length + 6, y + 14, f"{value:.3g} {unit}" if value < 1000 else f"{value:.0f} {unit}"))
     return _document(top + step * len(rows) + 12, title, body)
 
 

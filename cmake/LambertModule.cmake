@@ -42,11 +42,22 @@ function(lambert_module name)
   endif()
 endfunction()
 
-# lambert_test(TARGET SOURCES… LIBRARIES …): a GoogleTest program whose cases ctest lists one by one.
+# lambert_test(TARGET SOURCES… LIBRARIES …): a GoogleTest program whose cases ctest lists one by one. GoogleTest's
+# headers, a quarter of what compiling a test costs, are compiled once for all.
 function(lambert_test target)
+  if(NOT TARGET lambert_test_headers)
+    add_library(lambert_test_headers OBJECT ${PROJECT_SOURCE_DIR}/cmake/empty.cpp)
+    target_link_libraries(lambert_test_headers PRIVATE lambert_options GTest::gtest)
+    set_target_properties(lambert_test_headers PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+    target_precompile_headers(lambert_test_headers PRIVATE <gtest/gtest.h>)
+  endif()
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES")
   add_executable(${target} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${target} PRIVATE ${arg_LIBRARIES} lambert_options GTest::gtest GTest::gtest_main)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)  # as the headers
+  target_precompile_headers(${target} REUSE_FROM lambert_test_headers)
+  # GCC 12 forgets that a precompiled header is a system's, and warns of its own std::string there
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow> $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${target} PRIVATE
     LAMBERT_SOURCE_DIR="${PROJECT_SOURCE_DIR}"

@@ -1,7 +1,7 @@
 #pragma once
 /// What all subcommands share.
 
-#include <CLI/App.hpp>
+#include "cli_fwd.h"
 
 #include <functional>
 #include <vector>

@@ -2,6 +2,7 @@
 
 #include "command.h"
 #include "number_range.h"
+#include "outputs.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <limits>
 #include <memory>
 
 namespace lambert::cli {
@@ -35,11 +37,14 @@ std::function<int()> add_compare(CLI::App& app) {
   app.add_option("image", o->image, "The image to judge")->required()->type_name("IMAGE");
   app.add_option("reference", o->reference, "What it should be")->required()->type_name("REFERENCE");
   const auto add_thresholds = [&](const std::string& name, Thresholds& t) {
-    app.add_option("--" + name, t.each,
-                   "Largest difference of a pixel's channels, or value of --metric, without a " + name)
-        ->capture_default_str();
-    app.add_option("--" + name + "-percent", t.percent, "Share of the pixels that may pass it")->capture_default_str();
-    app.add_option("--hard-" + name, t.hard, "What no pixel may pass");
+    expect_number(app.add_option("--" + name, t.each,
+                                 "Largest difference of a pixel's channels, or value of --metric, without a " + name)
+                      ->capture_default_str(),
+                  {"a finite number", std::numeric_limits<double>::lowest()});
+    expect_number(app.add_option("--" + name + "-percent", t.percent, "Share of the pixels that may pass it")
+                      ->capture_default_str(),
+                  {"a number from 0 to 100", 0, 100.000001});
+    expect_number(app.add_option("--hard-" + name, t.hard, "What no pixel may pass"), {"a number, 0 or more"});
   };
   add_thresholds("fail", o->fail);
   add_thresholds("warn", o->warn);
@@ -55,12 +60,14 @@ std::function<int()> add_compare(CLI::App& app) {
   expect_number(app.add_option("--pixels-per-degree", o->flip.pixels_per_degree, "How the viewer of flip sits")
                     ->capture_default_str(),
                 {"from 1 to 1000", 1, 1000.0001});
-  app.add_option("--difference", o->difference, "Write image - reference")->type_name("FILE");
-  app.add_option("--heat", o->heat, "Write a false-colour image")->type_name("FILE");
+  add_output(app, "--difference", o->difference, "Write image - reference");
+  add_output(app, "--heat", o->heat, "Write a false-colour image");
   app.add_option("--heat-of", o->heat_of, "What it shows")
       ->check(CLI::IsMember({"error", "flip", "ssim", "z"}))
       ->capture_default_str();
-  app.add_option("--heat-top", o->heat_top, "The value of its brightest colour; 0 finds one")->capture_default_str();
+  expect_number(app.add_option("--heat-top", o->heat_top, "The value of its brightest colour; 0 finds one")
+                    ->capture_default_str(),
+                {"a number, 0 or more"});
   app.add_flag("--json", o->json, "Print JSON");
   app.add_flag("-q,--quiet", o->quiet, "Print nothing");
   app.footer(

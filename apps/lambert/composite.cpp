@@ -1,8 +1,9 @@
 #include "command.h"
 #include "interrupt.h"
 #include "number_range.h"
+#include "outputs.h"
 #include "print_path.h"
-#include "progress_report.h"
+#include "work.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
@@ -28,10 +29,10 @@ namespace {
 using namespace composite;
 
 struct Options {
-  std::string expression, frames, resolution, depth = "auto", compression = "zip", print, stats, progress;
+  std::string expression, frames, resolution, depth = "auto", compression = "zip", print, stats;
   std::vector<std::string> outputs;
   std::size_t threads = 0;
-  bool quiet = false;
+  WorkOptions work;
 };
 
 struct Source {
@@ -62,12 +63,11 @@ std::optional<Window> display_of(const Options& o) {
   return Window{0, 0, width, height};
 }
 
-void check_outputs(const Options& o, std::size_t frames) {
+void check_outputs(const Options& o, const WriteOptions& write, std::size_t frames) {
   for (const std::string& path : o.outputs) {
-    is_radiance_format(path);  // throws for an unknown format
     if (frames > 1 && !has_frame_pattern(path))
       throw Error(path + ": several frames need a name with #### or %04d in it");
-    check_writable(name_at_frame(path, 1));
+    check_images({name_at_frame(path, 1)}, write);
   }
 }
 
@@ -85,13 +85,13 @@ int run(const Options& o) {
   if (o.frames.empty())
     for (const std::string& file : files_of(source.tree))
       if (has_frame_pattern(file)) throw Error(file + ": say which frames: --frames FIRST-LAST");
-  check_outputs(o, frames.size());
+  const WriteOptions write{.depth = parse_depth(o.depth), .compression = parse_compression(o.compression)};
+  check_outputs(o, write, frames.size());
   check_files(source.tree, frames);
   if (o.threads > 0) set_thread_count(o.threads);
-  const WriteOptions write{.depth = parse_depth(o.depth), .compression = parse_compression(o.compression)};
   CompositeSettings settings{.display = display_of(o), .name = source.name, .text = source.text};
   settings.stop = stop_on_interrupt();
-  const ProgressSink progress = o.quiet ? ProgressSink() : progress_sink(o.progress);
+  const FractionSink progress = start_work(o.work);
   const auto start = std::chrono::steady_clock::now();
   std::size_t bytes = 0;
   double frames_done = 0;
@@ -100,12 +100,8 @@ int run(const Options& o) {
     std::vector<std::filesystem::path> outputs;
     for (const std::string& path : o.outputs) outputs.emplace_back(name_at_frame(path, frame));
     settings.frame = frame;
-    if (progress)
-      settings.progress = [&](double fraction) {
-        const double all = (frames_done + fraction) / static_cast<double>(frames.size()),
-                     elapsed = seconds_since(start);
-        progress({.fraction = all, .elapsed_seconds = elapsed, .remaining_seconds = elapsed / all * (1 - all)});
-      };
+    settings.progress = part_of(progress, frames_done / static_cast<double>(frames.size()),
+                                (frames_done + 1) / static_cast<double>(frames.size()));
     const CompositeReport report = composite_to_files(source.tree, outputs, write, settings);
     if (report.stopped) {
       log::warn(fmt::format("interrupted in frame {}, which is not written", frame));
@@ -114,8 +110,7 @@ int run(const Options& o) {
     ++frames_done;
     bytes = std::max(bytes, report.bytes_in_bands);
     bands += report.bands;
-    if (!o.quiet)
-      for (const auto& path : outputs) print_path(path);
+    for (const auto& path : outputs) print_path(path);
   }
   if (!o.stats.empty()) {
     const nlohmann::ordered_json facts{
@@ -152,20 +147,17 @@ std::function<int()> add_composite(CLI::App& app) {
   app.add_option("expression", options.expression,
                  "What to composite: an expression, or a file of one: FILE.comp, or FILE.json as a tree")
       ->required();
-  app.add_option("-o,--output", options.outputs, "The picture to write, by extension; several allowed")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+  add_outputs(app, options.outputs, "The picture to write, by extension");
   app.add_option("--frames", options.frames, "FIRST-LAST, FIRST-LASTxSTEP; parted by commas; fills in #### or %04d");
   app.add_option("--resolution", options.resolution, "Show WIDTHxHEIGHT pixels from (0, 0) instead of what B shows");
   app.add_option("--depth", options.depth, "How numbers are stored: auto, 8, 16, half, float");
   app.add_option("--compression", options.compression, "Of OpenEXR files: zip (default), none, rle, zips, piz, …");
   app.add_option("--print", options.print, "Print the tree as 'text' or 'json' instead of compositing")
       ->check(CLI::IsMember({"text", "json"}));
-  app.add_option("--stats", options.stats, "Write times and memory as JSON");
+  add_output(app, "--stats", options.stats, "Write times and memory as JSON");
   expect_number(app.add_option("--threads", options.threads, "Threads; 0 is one for each processor"),
                 {.expected = "a number from 0 to 1024", .below = 1025});
-  app.add_option("--progress", options.progress, "tty, ndjson or none")->check(CLI::IsMember(progress_styles()));
-  app.add_flag("--quiet", options.quiet, "Print no paths and no progress");
+  add_work_options(app, options.work);
   app.footer(explanation());
   return [] { return run(options); };
 }

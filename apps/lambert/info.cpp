@@ -6,6 +6,7 @@
 #include "lambert/scene/scene.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 namespace lambert::cli {

@@ -3,8 +3,12 @@
 
 namespace lambert::cli {
 
-/// From now on the first Ctrl-C (or SIGTERM) requests a stop of the returned token; a second one ends the process at
-/// once.
+/// From now on Ctrl-C (or SIGTERM) ends the process at once with the status `interrupted`. Files that are being written
+/// are removed: each output is there whole, as it was before, or not at all.
+void end_on_interrupt();
+
+/// From now on the first one requests a stop of the returned token instead; a second one ends the process. After
+/// end_on_interrupt().
 std::stop_token stop_on_interrupt();
 
 }  // namespace lambert::cli

@@ -1,7 +1,10 @@
 #include "command.h"
+#include "number_range.h"
+#include "outputs.h"
 #include "print_path.h"
 
 #include "lambert/base/error.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/draw/write_drawing.h"
 #include "lambert/image/io.h"
 #include "lambert/lab/demo.h"
@@ -17,7 +20,8 @@ namespace lambert::cli {
 namespace {
 
 struct Options {
-  std::string name, output;
+  std::string name;
+  std::vector<std::string> outputs;
   lab::LabSettings settings;
   bool json = false;
 };
@@ -31,8 +35,8 @@ std::string list() {
 void write(const std::filesystem::path& path, const lab::Shown& shown) {
   if (const auto* drawing = std::get_if<draw::Drawing>(&shown.picture)) {
     draw::write_drawing(path, *drawing);
-  } else if (path.extension() == ".svg") {
-    throw Error(path.string() + ": this picture is pixels: write .png, .exr or another image format");
+  } else if (format_extension(path) == ".svg") {
+    throw Error(output_name(path) + ": this picture is pixels: write .png, .exr or another image format");
   } else {
     write_image(path, std::get<Image>(shown.picture));
   }
@@ -45,14 +49,14 @@ int run(const Options& o) {
   }
   const lab::Demo& demo = lab::demo(o.name);
   const lab::Shown shown = demo.show(o.settings);
-  const std::string path = o.output.empty() ? o.name + ".png" : o.output;
-  write(path, shown);
+  const std::vector<std::string> paths = o.outputs.empty() ? std::vector{o.name + ".png"} : o.outputs;
+  for (const std::string& path : paths) write(path, shown);
   if (o.json) {
-    nlohmann::ordered_json facts{{"demonstration", o.name}, {"picture", path}};
+    nlohmann::ordered_json facts{{"demonstration", o.name}, {"written", paths}};
     for (const auto& [name, value] : shown.facts) facts["facts"][name] = value;
     fmt::print("{}\n", facts.dump(2));
   } else {
-    print_path(path);
+    for (const std::string& path : paths) print_path(path);
     for (const auto& [name, value] : shown.facts) fmt::print("  {:<52} {:.6g}\n", name, value);
   }
   return done;
@@ -63,8 +67,8 @@ int run(const Options& o) {
 std::function<int()> add_lab(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.add_option("name", o->name, "Which one; without it they are listed")->type_name("NAME");
-  app.add_option("-o,--output", o->output, "The picture; .svg for plots (NAME.png by default)")->type_name("FILE");
-  app.add_option("--seed", o->settings.seed, "Of all random numbers")->capture_default_str();
+  add_outputs(app, o->outputs, "The picture, by extension; .svg for plots (NAME.png by default)");
+  add_seed(app, o->settings.seed, "Of all random numbers");
   app.add_flag("--json", o->json, "Print the facts as JSON");
   app.footer(list() + "\n  lambert lab comb -o comb.png\n  lambert lab error -o error.svg");
   return [o] { return run(*o); };

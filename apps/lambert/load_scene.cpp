@@ -9,6 +9,7 @@
 #include "lambert/scene/cornell_box.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <limits>
 #include <utility>

@@ -1,8 +1,8 @@
 #pragma once
+#include "cli_fwd.h"
+
 #include "lambert/base/notes.h"
 #include "lambert/scene/scene.h"
-
-#include <CLI/App.hpp>
 
 #include <string>
 

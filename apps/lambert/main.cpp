@@ -1,4 +1,5 @@
 #include "command.h"
+#include "interrupt.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"
@@ -119,6 +120,7 @@ int run(std::vector<std::string> words, const Failures& failures) {
 int main(int argc, char** argv) {
   const std::vector<std::string> words = words_of(argc, argv);
   const Failures failures = failures_of(words);
+  cli::end_on_interrupt();
   try {
     return run(words, failures);
   } catch (const Error& e) {

@@ -3,6 +3,7 @@
 #include "lambert/render/method.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 namespace lambert::cli {

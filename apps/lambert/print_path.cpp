@@ -1,10 +1,13 @@
 #include "print_path.h"
 
+#include "lambert/base/standard_streams.h"
+
 #include <fmt/format.h>
 
 namespace lambert::cli {
 
 void print_path(const std::filesystem::path& path) {
+  if (is_standard_stream(path)) return;
   fmt::print("{}\n", std::filesystem::absolute(path).lexically_normal().string());
 }
 

@@ -3,7 +3,7 @@
 
 namespace lambert::cli {
 
-/// Prints, absolute, the path of a file that was written: what scripts read.
+/// Prints, absolute, the path of a file that was written: what scripts read. Standard output has none.
 void print_path(const std::filesystem::path& path);
 
 }  // namespace lambert::cli

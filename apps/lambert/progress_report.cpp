@@ -18,8 +18,10 @@ void draw_bar(const Progress& p) {
   const int filled = static_cast<int>(p.fraction * width);
   const std::string bar =
       std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(width - filled), '.');
-  fmt::print(stderr, "\r[{}] {:3.0f} %  {}samples/s  {}rays/s  {} left\x1b[K", bar, 100 * p.fraction,
-             with_unit(p.samples_per_second), with_unit(p.rays_per_second), duration(p.remaining_seconds));
+  const std::string rates = p.samples > 0 ? fmt::format("{}samples/s  {}rays/s  ", with_unit(p.samples_per_second),
+                                                        with_unit(p.rays_per_second))
+                                          : "";
+  fmt::print(stderr, "\r[{}] {:3.0f} %  {}{} left\x1b[K", bar, 100 * p.fraction, rates, duration(p.remaining_seconds));
   if (p.fraction >= 1) fmt::print(stderr, "\n");
   std::fflush(stderr);
 }

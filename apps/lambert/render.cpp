@@ -2,7 +2,6 @@
 #include "interrupt.h"
 #include "load_scene.h"
 #include "print_path.h"
-#include "progress_report.h"
 #include "render_options.h"
 
 #include "lambert/base/error.h"
@@ -13,14 +12,13 @@
 #include "lambert/image/io.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <sys/resource.h>
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <exception>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -41,13 +39,6 @@ double peak_megabytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-bool is_exr(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".exr";
 }
 
 /// Whether `write` did; its error is logged, so that what else there is to write is written.
@@ -107,11 +98,11 @@ int interrupted_with_nothing() {
 
 int run(const RenderOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  if (options.quiet) log::set_level(log::Level::error);
   if (options.verbose) log::set_level(log::Level::debug);
-  const ProgressSink progress = options.quiet ? ProgressSink() : progress_sink(options.progress);
+  const ProgressSink progress = progress_of(options.work);
   const std::vector<std::string> paths = output_paths(options);
-  if (!options.aovs.empty() && std::none_of(paths.begin(), paths.end(), is_exr))
+  if (!options.aovs.empty() &&
+      std::none_of(paths.begin(), paths.end(), [](const auto& path) { return writes_exr(path); }))
     log::warn("--aov adds layers to an EXR, and none is written");
   tone_settings(options);
   const std::stop_token stop = stop_on_interrupt();

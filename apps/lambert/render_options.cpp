@@ -2,6 +2,7 @@
 
 #include "exposure_flag.h"
 #include "number_range.h"
+#include "outputs.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
@@ -20,11 +21,6 @@ namespace lambert::cli {
 namespace {
 
 constexpr int default_samples = 64, most_samples = std::numeric_limits<int>::max() / 2, most_threads = 4096;
-
-NumberRange whole_number(int first, int last) {
-  return {
-      .expected = fmt::format("a whole number from {} to {}", first, last), .low = 1.0 * first, .below = last + 1.0};
-}
 
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
@@ -70,9 +66,7 @@ std::string default_output(const std::string& scene) {
 
 void add_render_options(CLI::App& app, RenderOptions& o) {
   add_scene_options(app, o.scene);
-  app.add_option("-o,--output", o.outputs, "Image to write, several allowed: " + joined(image_extensions()))
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+  add_outputs(app, o.outputs, "Image to write: " + joined(image_extensions()));
   app.add_option("--method", o.method, "How to render (see 'lambert methods')")->capture_default_str();
   app.add_option("--set", o.method_settings, "A setting of the method, key=value; several allowed")
       ->allow_extra_args(false);
@@ -83,8 +77,7 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
   expect_number(app.add_option("--target-error", o.target_error,
                                "Spend samples where needed until a pixel's relative error is this (0.02: two percent)"),
                 {.expected = "a number, 0 or more"});
-  expect_number(app.add_option("--seed", o.seed, "Another seed, another noise")->capture_default_str(),
-                {.expected = "a whole number from 0 to 18446744073709551615", .below = 0x1p64});
+  add_seed(app, o.seed, "Another seed, another noise");
   expect_number(app.add_option("--threads", o.threads, "0: all cores")->capture_default_str(),
                 whole_number(0, most_threads));
   app.add_option("--resolution", o.resolution, "WIDTHxHEIGHT in pixels");
@@ -105,9 +98,8 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
   app.add_option("--tonemap", o.tonemap, "For display formats: " + joined(tone_operator_names()))
       ->capture_default_str();
   app.add_flag("--denoise", o.denoise, "Remove the noise that is left (see 'lambert denoise'); biased");
-  app.add_option("--progress", o.progress, "tty, ndjson or none; by default a bar if standard error is a terminal");
-  app.add_option("--stats", o.stats, "Write times, counts and rates as JSON")->type_name("FILE");
-  app.add_flag("--quiet", o.quiet, "Say nothing but errors");
+  add_work_options(app, o.work);
+  add_output(app, "--stats", o.stats, "Write times, counts and rates as JSON");
   app.add_flag("--verbose", o.verbose, "Say more");
 }
 
@@ -184,10 +176,7 @@ std::unique_ptr<Method> configured_method(const RenderOptions& options, const Sc
 std::vector<std::string> output_paths(const RenderOptions& options) {
   std::vector<std::string> paths = options.outputs;
   if (paths.empty()) paths.push_back(default_output(options.scene.file));
-  for (const std::string& path : paths) {
-    is_radiance_format(path);
-    check_writable(path);
-  }
+  check_images(paths);
   if (!options.stats.empty()) check_writable(options.stats);
   return paths;
 }

@@ -1,13 +1,14 @@
 #pragma once
 /// The flags of `lambert render`, shared with every command that renders.
 
+#include "cli_fwd.h"
+
 #include "lambert/camera/camera.h"
 #include "lambert/image/tonemap/tonemap.h"
 #include "lambert/render/render.h"
 
 #include "load_scene.h"
-
-#include <CLI/App.hpp>
+#include "work.h"
 
 #include <optional>
 #include <string>
@@ -28,8 +29,9 @@ struct RenderOptions {
   std::size_t threads = 0;
   int pass_size = 0;
   std::string exposure = "0", tonemap = "linear";
-  std::string progress, stats;
-  bool quiet = false, verbose = false, denoise = false;
+  std::string stats;
+  WorkOptions work;
+  bool verbose = false, denoise = false;
 };
 
 void add_render_options(CLI::App& app, RenderOptions& options);

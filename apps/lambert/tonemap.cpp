@@ -2,10 +2,9 @@
 
 #include "command.h"
 #include "number_range.h"
-#include "print_path.h"
+#include "outputs.h"
 
 #include "lambert/base/error.h"
-#include "lambert/base/file.h"
 #include "lambert/draw/montage.h"
 #include "lambert/image/filter/resize.h"
 #include "lambert/image/io.h"
@@ -32,13 +31,15 @@ Image shrunk(const Image& image, int width) {
                  {.filter = {.kind = FilterKind::box}});
 }
 
-Image montage_of(const std::vector<Image>& inputs, const std::vector<std::string>& names, const TonemapOptions& o) {
+Image montage_of(const std::vector<Image>& inputs, const std::vector<std::string>& names, const TonemapOptions& o,
+                 const FractionSink& progress) {
   ToneSettings settings = common_settings(o);
   std::vector<draw::Panel> panels;
   for (const std::string& name : names) {
     if (o.operators.empty() && name == tone::Ocio::name && !tone::Ocio::available()) continue;
     settings.op = configured_operator(name, {});
     panels.push_back({name, shrunk(tonemap(inputs.front(), settings), o.tile_width)});
+    if (progress) progress(static_cast<double>(panels.size()) / static_cast<double>(names.size()));
   }
   return draw::montage(panels, {.columns = o.columns});
 }
@@ -59,10 +60,7 @@ void check(const TonemapOptions& o) {
   if (o.montage && !o.assignments.empty()) throw Error("--set belongs to one operator, not to --montage");
   if (o.inputs.size() > 1 && (o.montage || o.operators != std::vector<std::string>{tone::Mertens::name}))
     throw Error("several images are a stack of exposures, for which there is --operator mertens");
-  for (const std::string& path : o.outputs) {
-    is_radiance_format(path);
-    check_writable(path);
-  }
+  check_images(o.outputs);
 }
 
 int run(const TonemapOptions& o) {
@@ -71,15 +69,17 @@ int run(const TonemapOptions& o) {
     return done;
   }
   check(o);
+  const FractionSink progress = start_work(o.work), reading = part_of(progress, 0, 0.3);
   std::vector<Image> inputs;
-  for (const std::string& path : o.inputs) inputs.push_back(read_image(path));
-  const Image shown =
-      o.montage ? montage_of(inputs, o.operators.empty() ? tone_operator_names() : o.operators, o)
-                : mapped(std::move(inputs), o.operators.empty() ? tone::Photographic::name : o.operators.front(), o);
-  for (const std::string& path : o.outputs) {
-    write_image(path, shown);
-    print_path(path);
+  for (const std::string& path : o.inputs) {
+    inputs.push_back(read_image(path));
+    if (reading) reading(static_cast<double>(inputs.size()) / static_cast<double>(o.inputs.size()));
   }
+  const Image shown =
+      o.montage ? montage_of(inputs, o.operators.empty() ? tone_operator_names() : o.operators, o,
+                             part_of(progress, 0.3, 0.7))
+                : mapped(std::move(inputs), o.operators.empty() ? tone::Photographic::name : o.operators.front(), o);
+  write_images(o.outputs, shown, {}, part_of(progress, 0.7, 1));
   return done;
 }
 
@@ -90,9 +90,7 @@ std::function<int()> add_tonemap(CLI::App& app) {
   const std::string names = fmt::format("{}", fmt::join(tone_operator_names(), ", "));
   app.add_option("input", o.inputs, "Radiance map; several images are a stack of exposures (mertens)")
       ->type_name("FILE");
-  app.add_option("-o,--output", o.outputs, "Image to write, several allowed")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+  add_outputs(app, o.outputs, "Image to write, by extension");
   app.add_option("--operator", o.operators, "photographic by default; with --montage several: " + names)
       ->type_name("NAME")
       ->delimiter(',')
@@ -115,6 +113,7 @@ std::function<int()> add_tonemap(CLI::App& app) {
                 {.expected = "a whole number from 0 to 100", .low = 0, .below = 101});
   expect_number(app.add_option("--tile-width", o.tile_width, "Of the montage, at most, pixels")->capture_default_str(),
                 {.expected = "a whole number from 16 to 4096", .low = 16, .below = 4097});
+  add_work_options(app, o.work);
   app.add_flag("--list", o.list, "List the operators and their settings");
   app.add_flag("--json", o.json, "The list as JSON");
   app.footer(

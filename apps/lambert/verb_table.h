@@ -1,5 +1,6 @@
 #pragma once
-#include <CLI/App.hpp>
+
+#include "cli_fwd.h"
 
 #include <functional>
 #include <span>

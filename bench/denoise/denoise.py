@@ -1,7 +1,7 @@
 """Error of the denoisers against references, and their time for a megapixel: prints tables, and with --plot FILE.svg draws the error
 over samples.
 
-    python3 bench/denoise/denoise.py build/release/bin/lambert [--spp 4,16,64] [--reference 96] [--seed 7] [--plot error.svg]
+    python3 bench/denoise/denoise.py build/release/bin/lambert [--spp 4,16,64] [--reference 128] [--seed 7] [--plot error.svg]
 
 A reference r has noise too. With two independent ones, the mean of (x - r1)(x - r2) is the mean squared error of x without it.
 """
@@ -88,7 +88,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
     parser.add_argument("--spp", default="4,16,64")
-    parser.add_argument("--reference", type=int, default=96)
+    parser.add_argument("--reference", type=int, default=128)
     parser.add_argument("--seed", type=int, default=7)
     parser.add_argument("--size", default="192x192")
     parser.add_argument("--plot")

@@ -70,7 +70,7 @@ class Queries(Polygon):
         small = self.write("a.wkt", "POLYGON ((0 0, 1e-200 0, 1e-200 1e-200, 0 1e-200, 0 0))")
         self.assertIn("beyond the range of numbers", self.polygon("area", small, status=1).stderr)
         both = self.write("a.wkt", "POLYGON ((0 0, 1e150 0, 1e-150 1e-150, 0 0))")
-        self.assertIn("note: a.wkt: beside coordinates of 1e+150", self.polygon("area", both).stderr.replace("1e150", "1e+150"))
+        self.assertIn("info: a.wkt: beside coordinates of 1e+150", self.polygon("area", both).stderr.replace("1e150", "1e+150"))
 
     def test_a_bow_tie_has_no_normal(self):
         done = self.polygon("normal", self.write("a.wkt", "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))"), status=1)
@@ -90,7 +90,7 @@ class Queries(Polygon):
         for command, left_out in parts.items():
             with self.subTest(command=command):
                 notes = set(self.polygon(*command.split(), mixed).stderr.splitlines())
-                self.assertEqual(notes, {f"lambert: note: a.wkt: left out: {left_out}"} if left_out else set())
+                self.assertEqual(notes, {f"lambert: info: a.wkt: left out: {left_out}"} if left_out else set())
         self.assertEqual(self.polygon("union", self.write("b.wkt", SQUARE)).stderr, "")
 
     def test_fill_refuses_what_its_table_cannot_hold(self):
@@ -254,6 +254,15 @@ class Decomposition(Polygon):
         done = self.polygon("triangulate", EXAMPLES / "room.geojson", "-o", "m.ply", "-o", "m.wkt", "--svg", "m.svg")
         self.assertEqual(done.stdout.split(), [str(self.folder / n) for n in ("m.ply", "m.wkt", "m.svg")])
         self.assertIn("triangles   17\n", self.lambert("info", "m.ply").stdout)
+
+    def test_an_unknown_extension_is_told_the_known_ones_before_anything_is_written(self):
+        done = self.polygon("triangulate", EXAMPLES / "room.geojson", "-o", "m.ply", "-o", "m.stl", status=1)
+        for known in ("m.stl: unknown extension '.stl'", ".geojson", ".svg", ".ply", ".obj", ".glb"):
+            self.assertIn(known, done.stderr)
+        self.assertEqual(self.files(), [])
+        done = self.polygon("convex", EXAMPLES / "room.geojson", "-o", "m.ply", status=1)
+        self.assertIn(".svg", done.stderr)
+        self.assertNotIn(".glb", done.stderr)
 
 
 class Filling(Polygon):

@@ -85,7 +85,7 @@ bool passes(const Thresholds& t, const Comparison& c) {
 
 Pair read_pair(const CompareOptions& o) {
   Pair pair{read_image(o.image), read_image(o.reference)};
-  const bool shown = !is_radiance_format(o.image) && !is_radiance_format(o.reference);
+  const bool shown = !is_radiance_file(o.image) && !is_radiance_file(o.reference);
   pair.radiance = o.space == "linear" || (o.space == "auto" && !shown);
   return pair;
 }

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace lambert::cli {
 
@@ -85,8 +84,8 @@ std::string as_text(const Comparison& c, int status) {
 void write_pictures(const Comparison& c) {
   const CompareOptions& o = c.o;
   if (!o.difference.empty()) {
-    const bool exr = std::filesystem::path(o.difference).extension() == ".exr";
-    write_image(o.difference, difference(c.pair.a, c.pair.b), {.depth = exr ? Depth::full : Depth::automatic});
+    write_image(o.difference, difference(c.pair.a, c.pair.b),
+                {.depth = writes_exr(o.difference) ? Depth::full : Depth::automatic});
   }
   if (o.heat.empty()) return;
   Plane plane(c.pair.a.width(), c.pair.a.height());

@@ -2,12 +2,14 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../outputs.h"
 #include "../print_path.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
 #include "lambert/base/hash.h"
 #include "lambert/base/number.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/formats/exif.h"
 #include "lambert/image/hdr/expose.h"
 #include "lambert/image/hdr/exposure.h"
@@ -16,7 +18,6 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 
@@ -24,11 +25,13 @@ namespace lambert::cli {
 namespace {
 
 struct Options {
-  std::string map, output, time, bracket, response = "srgb", list;
+  std::vector<std::string> outputs;
+  std::string map, time, bracket, response = "srgb", list;
   double stops = 0, shake = 0, turn = 0;
   int bits = 8;
   std::uint64_t seed = 0;
   hdr::SensorNoise noise;
+  WorkOptions work;
 };
 
 /// "-6..6:2", "-2..2" in steps of 1, or "-3,0,4".
@@ -70,8 +73,7 @@ std::string numbered(const std::string& pattern, std::size_t i) {
 
 using Encoder = std::vector<std::byte> (*)(const DisplayImage&, const WriteOptions&);
 Encoder encoder_for(const std::string& path, int bits) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = format_extension(path);
   if (extension == ".png") return encode_png;
   if (extension == ".tif" || extension == ".tiff") return encode_tiff;
   if (bits == 8 && (extension == ".jpg" || extension == ".jpeg")) return encode_jpeg;
@@ -80,16 +82,20 @@ Encoder encoder_for(const std::string& path, int bits) {
 
 int run(const Options& o) {
   const std::vector<double> stops = o.bracket.empty() ? std::vector<double>{o.stops} : bracket_stops(o.bracket);
-  if (!o.bracket.empty() && o.output.find("{}") == std::string::npos)
-    throw Error("--output: expected a name with {} for the number of the photograph, such as shot_{}.png");
+  for (const std::string& output : o.outputs)
+    if (!o.bracket.empty() && output.find("{}") == std::string::npos)
+      throw Error("--output: expected a name with {} for the number of the photograph, such as shot_{}.png");
   const double time = o.time.empty() ? 1 : hdr::parse_exposure_time(o.time, "--time");
   if (!o.list.empty()) check_writable(o.list);
-  const Encoder encode = encoder_for(o.output, o.bits);
+  for (const std::string& output : o.outputs) {
+    encoder_for(output, o.bits);
+    check_images({output});
+  }
+  const FractionSink progress = start_work(o.work);
   const Image map = read_image(o.map);
   const hdr::Response response = hdr::response_named(o.response, map.has_colour() ? 3 : 1, 65536);
   std::string list = "# filename exposure_time_s   (pixel = floor(top f(min(1, L t)) + 0.5), f = " + o.response + ")\n";
   for (std::size_t i = 0; i < stops.size(); ++i) {
-    const std::string path = o.bracket.empty() ? o.output : numbered(o.output, i);
     hdr::ExposeSettings settings{.exposure = time * std::exp2(stops[i]), .noise = o.noise, .bits = o.bits};
     settings.seed = hash_values(o.seed, i);
     if (i > 0) {
@@ -100,13 +106,19 @@ int run(const Options& o) {
       settings.turn = o.turn * random(2) * 0.017453292519943295;
     }
     DisplayImage photograph = hdr::expose(map, response, settings);
+    if (progress) progress((static_cast<double>(i) + 0.5) / static_cast<double>(stops.size()));
     photograph.exif = Exif{.exposure_time = settings.exposure};
-    write_atomically(path, encode(photograph, {}));
-    print_path(path);
-    list += std::filesystem::path(path).filename().string() + " ";
-    append_number(list, static_cast<float>(settings.exposure));
-    list += "\n";
+    for (const std::string& output : o.outputs) {
+      const std::string path = o.bracket.empty() ? output : numbered(output, i);
+      write_atomically(path, encoder_for(path, o.bits)(photograph, {}));
+      print_path(path);
+      if (&output != &o.outputs.front()) continue;
+      list += std::filesystem::path(path).filename().string() + " ";
+      append_number(list, static_cast<float>(settings.exposure));
+      list += "\n";
+    }
   }
+  if (progress) progress(1);
   if (!o.list.empty()) {
     write_atomically(o.list, list);
     print_path(o.list);
@@ -119,15 +131,12 @@ int run(const Options& o) {
 std::function<int()> add_hdr_expose(CLI::App& app) {
   static Options o;
   app.add_option("map", o.map, "Radiance map")->type_name("FILE")->required();
-  app.add_option("-o,--output", o.output, "Photograph: .png, .tif or .jpg (8 bits); {} is its number in a series")
-      ->type_name("FILE")
-      ->required();
+  add_outputs(app, o.outputs, "Photograph: .png, .tif or .jpg (8 bits); {} is its number in a series")->required();
   app.add_option("--time", o.time, "Exposure; radiance 1 / time just saturates (default 1)")->type_name("T");
   CLI::Option* stops = app.add_option("--stops", o.stops, "Stops above that")->capture_default_str();
   expect_number(stops, {.expected = "a number of stops from -60 to 60", .low = -60, .below = 60.0001});
   app.add_option("--bracket", o.bracket, "A series of stops: -6..6:2 or -2,0,2")->type_name("STOPS")->excludes(stops);
-  app.add_option("--list", o.list, "Write the photographs and their times, for 'lambert hdr merge --list'")
-      ->type_name("FILE");
+  add_output(app, "--list", o.list, "Write the photographs and their times, for 'lambert hdr merge --list'");
   app.add_option("--response", o.response, "srgb, linear, 'gamma 2.2', film, log, a CSV file")
       ->type_name("WORD")
       ->capture_default_str();
@@ -137,12 +146,13 @@ std::function<int()> add_hdr_expose(CLI::App& app) {
   expect_number(
       app.add_option("--read-noise", o.noise.read_noise, "Noise: standard deviation of reading, in electrons"),
       {.expected = "a number of electrons from 0"});
-  app.add_option("--seed", o.seed, "Of noise and shake")->capture_default_str();
+  add_seed(app, o.seed, "Of noise and shake");
   expect_number(
       app.add_option("--shake", o.shake, "Camera from the hand: shifts of up to so many pixels after the first"),
       {.expected = "a number of pixels from 0 to 10000", .below = 10001});
   expect_number(app.add_option("--turn", o.turn, "And turns of up to so many degrees"),
                 {.expected = "a number of degrees from 0 to 180", .below = 180.001});
+  add_work_options(app, o.work);
   return [] { return run(o); };
 }
 

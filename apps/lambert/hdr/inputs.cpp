@@ -66,7 +66,7 @@ std::vector<hdr::ExposureSetting> from_list(const std::string& list_name, std::v
 }
 
 hdr::ExposureSetting from_exif(const std::string& file) {
-  const MappedFile mapped(file);
+  const MappedFile mapped = open_input(file);
   hdr::ExposureSetting setting;
   if (const auto exif = read_exif(mapped.bytes())) {
     setting.time = exif->exposure_time.value_or(0);
@@ -107,9 +107,10 @@ void add_stack_options(CLI::App& app, StackOptions& o) {
   expect_number(app.add_option("--reference", o.reference,
                                "Which photograph stays in place and is believed, from 0, the shortest exposure"),
                 {.expected = "a number from 0", .low = 0, .below = 65536});
+  add_work_options(app, o.work);
 }
 
-LoadedStack load_stack(const StackOptions& o) {
+LoadedStack load_stack(const StackOptions& o, const FractionSink& progress) {
   const hdr::Alignment kind = hdr::alignment(o.align);
   std::vector<std::string> files = o.files;
   std::string list = o.list;
@@ -127,10 +128,12 @@ LoadedStack load_stack(const StackOptions& o) {
     for (const std::string& file : files) settings.push_back(from_exif(file));
   }
   if (files.empty()) throw Error("no photographs given");
-  LoadedStack loaded{.stack = hdr::read_stack(files, hdr::relative_exposures(files, settings))};
+  LoadedStack loaded{.stack =
+                         hdr::read_stack(files, hdr::relative_exposures(files, settings), part_of(progress, 0, 0.5))};
   hdr::check_exposures(loaded.stack);
   loaded.reference = best_exposed(loaded.stack, o.reference);
-  loaded.motions = hdr::find_motions(loaded.stack, loaded.reference, {.kind = kind, .largest_shift = o.largest_shift});
+  loaded.motions = hdr::find_motions(loaded.stack, loaded.reference, {.kind = kind, .largest_shift = o.largest_shift},
+                                     part_of(progress, 0.5, 1));
   hdr::move_back(loaded.stack, loaded.motions);
   return loaded;
 }

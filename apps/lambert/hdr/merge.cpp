@@ -3,11 +3,13 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../outputs.h"
 #include "../print_path.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
 #include "lambert/base/log.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/hdr/merge.h"
 #include "lambert/image/hdr/range.h"
 #include "lambert/image/io.h"
@@ -24,11 +26,12 @@ namespace {
 struct Options {
   StackOptions stack;
   RecoveryOptions recovery;
-  std::string output, response_out, plot, weights = "variance", ghosts = "auto", compression = "piz";
+  std::vector<std::string> outputs;
+  std::string response_out, plot, weights = "variance", ghosts = "auto", compression = "piz";
   hdr::SensorNoise noise;
   hdr::GhostSettings ghost;
   double scale = 1;
-  bool json = false, quiet = false;
+  bool json = false;
 };
 
 nlohmann::ordered_json facts_of(const LoadedStack& loaded, const hdr::Recovery& recovery, const hdr::Merged& merged,
@@ -77,15 +80,17 @@ void say(const nlohmann::ordered_json& j) {
 }
 
 int run(const Options& o) {
-  if (!is_radiance_format(o.output))
-    throw Error(o.output + ": radiance does not fit a display format; expected .exr, .hdr or .pfm");
-  check_writable(o.output);
+  for (const std::string& path : o.outputs)
+    if (!is_radiance_format(path))
+      throw Error(output_name(path) + ": radiance does not fit a display format; expected .exr, .hdr or .pfm");
+  check_images(o.outputs);
   if (!o.response_out.empty()) check_writable(o.response_out);
   if (!o.plot.empty()) check_writable(o.plot);
   const hdr::Weighting weights = hdr::weighting(o.weights);
   if (o.ghosts != "auto" && o.ghosts != "off")
     throw Error("unknown --ghosts " + unknown_word(o.ghosts, {"auto", "off"}));
-  const LoadedStack loaded = load_stack(o.stack);
+  const FractionSink progress = start_work(o.stack.work);
+  const LoadedStack loaded = load_stack(o.stack, part_of(progress, 0, 0.5));
   const hdr::Recovery recovery = response_for(o.recovery, loaded.stack);
   hdr::GhostMasks masks;
   if (o.ghosts == "auto" && loaded.stack.frames.size() > 1) {
@@ -94,12 +99,15 @@ int run(const Options& o) {
     settings.noise = recovery.noise;
     masks = hdr::find_ghosts(loaded.stack, recovery.response, settings);
   }
-  hdr::Merged merged = hdr::merge(loaded.stack, recovery.response,
-                                  {.weights = weights, .code_noise = recovery.noise, .noise = o.noise}, masks);
+  hdr::Merged merged = hdr::merge(
+      loaded.stack, recovery.response,
+      {.weights = weights, .code_noise = recovery.noise, .noise = o.noise, .progress = part_of(progress, 0.7, 0.85)},
+      masks);
   if (o.scale != 1)
     for (float& v : merged.image.pixels()) v *= static_cast<float>(o.scale);
-  write_image(o.output, merged.image, {.compression = parse_compression(o.compression)});
-  std::vector<std::string> written{o.output};
+  for (const std::string& path : o.outputs)
+    write_image(path, merged.image, {.compression = parse_compression(o.compression)});
+  std::vector<std::string> written = o.outputs;
   if (!o.response_out.empty()) {
     write_atomically(o.response_out, hdr::response_csv(recovery.response, hdr::ResponseTable::by_exposure));
     written.push_back(o.response_out);
@@ -108,9 +116,10 @@ int run(const Options& o) {
     plot_response(o.plot, recovery.response);
     written.push_back(o.plot);
   }
+  if (progress) progress(1);
   nlohmann::ordered_json facts = facts_of(loaded, recovery, merged, masks.count());
   facts["written"] = written;
-  if (!o.quiet) say(facts);
+  say(facts);
   if (o.json) {
     const hdr::RadianceRange range = hdr::radiance_range(merged.image);
     facts["max"] = range.max, facts["min_positive"] = range.min_positive, facts["stops"] = range.stops();
@@ -126,10 +135,10 @@ int run(const Options& o) {
 std::function<int()> add_hdr_merge(CLI::App& app) {
   static Options o;
   add_stack_options(app, o.stack);
-  app.add_option("-o,--output", o.output, "Radiance map: .exr, .hdr or .pfm")->type_name("FILE")->required();
+  add_outputs(app, o.outputs, "Radiance map: .exr, .hdr or .pfm")->required();
   add_recovery_options(app, o.recovery);
-  app.add_option("--response-out", o.response_out, "Write the response as CSV")->type_name("FILE");
-  app.add_option("--plot", o.plot, "Draw the response (.svg or an image)")->type_name("FILE");
+  add_output(app, "--response-out", o.response_out, "Write the response as CSV");
+  add_output(app, "--plot", o.plot, "Draw the response (.svg or an image)");
   app.add_option("--weights", o.weights, "variance, hat, gaussian, robertson")
       ->type_name("NAME")
       ->capture_default_str();
@@ -144,12 +153,11 @@ std::function<int()> add_hdr_merge(CLI::App& app) {
           ->capture_default_str(),
       {.expected = "a number above 0", .low = 1e-6});
   expect_number(app.add_option("--scale", o.scale, "Multiply the radiance by this")->capture_default_str(),
-                {.expected = "a number above 0", .low = 1e-30});
+                {.expected = "a number from 1e-30 to 1e30", .low = 1e-30, .below = 1.000001e30});
   app.add_option("--compression", o.compression, "Of OpenEXR files; piz suits the grain of photographs")
       ->check(CLI::IsMember(compression_words()))
       ->capture_default_str();
   app.add_flag("--json", o.json, "Print what was found as JSON");
-  app.add_flag("-q,--quiet", o.quiet, "Say nothing but errors");
   app.footer(
       "Exposures come from --times, --stops, --list or the EXIF data of the photographs, f-number and ISO included.\n"
       "Radiance 1 saturates a photograph of exposure 1: time (ISO / 100) / N^2, or the time alone where only that is "

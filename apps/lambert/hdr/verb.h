@@ -1,11 +1,12 @@
 #pragma once
 /// What the verbs of `lambert hdr` share.
 
+#include "../cli_fwd.h"
+#include "../work.h"
+
 #include "lambert/image/hdr/align.h"
 #include "lambert/image/hdr/recover.h"
 #include "lambert/image/hdr/stack.h"
-
-#include <CLI/App.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -21,6 +22,7 @@ struct StackOptions {
   std::string align = "rigid";
   int largest_shift = 64;
   int reference = -1;  ///< -1: the one with most usable pixels
+  WorkOptions work;
 };
 void add_stack_options(CLI::App& app, StackOptions& o);
 
@@ -30,7 +32,7 @@ struct LoadedStack {
   std::size_t reference = 0;
 };
 /// Reads, checks and aligns. Throws Error.
-LoadedStack load_stack(const StackOptions& o);
+LoadedStack load_stack(const StackOptions& o, const FractionSink& progress);
 
 struct RecoveryOptions {
   std::string response = "auto";  ///< a method of recovery, or a known response

@@ -39,7 +39,8 @@ int run(const Options& o) {
   const std::vector<std::string> names = {"gaussian", "box", "bartlett"};
   if (std::find(names.begin(), names.end(), o.filter) == names.end())
     throw Error("--filter: unknown blur " + unknown_word(o.filter, names));
-  write_outputs(o, blurred(o, read_image(o.input)));
+  const FractionSink progress = start_work(o.work);
+  write_outputs(o, blurred(o, read_input(o, progress)), progress);
   return done;
 }
 

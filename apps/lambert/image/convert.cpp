@@ -1,7 +1,10 @@
 #include "verb.h"
 
 #include "../command.h"
+#include "../number_range.h"
+#include "../outputs.h"
 #include "../print_path.h"
+#include "../work.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"
@@ -20,11 +23,12 @@ namespace lambert::cli {
 namespace {
 
 struct Options {
-  std::string input, output, layer, crop_to;
-  std::vector<std::string> channels;
+  std::string input, layer, crop_to;
+  std::vector<std::string> outputs, channels;
   std::string depth = "auto", compression = "zip";
   std::optional<int> quality;
   double exposure = 0;
+  WorkOptions work;
 };
 
 /// The rows [y0, y1) of `window`, which need not lie in the data window.
@@ -42,7 +46,8 @@ Image rows_of(ImageReader& reader, const Window& window, int y0, int y1) {
 int run(const Options& o) {
   const WriteOptions options{
       .depth = parse_depth(o.depth), .compression = parse_compression(o.compression), .quality = o.quality};
-  check_write_options(o.output, options);
+  check_images(o.outputs, options);
+  const FractionSink progress = start_work(o.work);
   ImageReader reader(o.input);
   ImageHeader header = reader.header();
   if (header.parts > 1)
@@ -57,7 +62,8 @@ int run(const Options& o) {
   const Window window = header.data;
   header.channels.clear();
   for (const ChannelChoice& c : choices) header.channels.push_back(c.name);
-  ImageWriter writer(o.output, header, options);
+  std::vector<ImageWriter> writers;
+  for (const std::string& path : o.outputs) writers.emplace_back(path, header, options);
   constexpr int rows = 256;
   for (int y = 0; y < window.height; y += rows) {
     const Image band = rows_of(reader, window, y, std::min(y + rows, window.height));
@@ -68,10 +74,14 @@ int run(const Options& o) {
       const float* from = band.pixels().data() + choices[c].stored;
       for (std::size_t i = 0; i < chosen.size() / count; ++i) chosen[i * count + c] = scale * from[i * stored];
     }
-    writer.write(chosen);
+    for (ImageWriter& writer : writers) writer.write(chosen);
+    if (progress) progress(0.9 * (y + band.height()) / window.height);
   }
-  writer.close();
-  print_path(o.output);
+  for (std::size_t i = 0; i < writers.size(); ++i) {
+    writers[i].close();
+    print_path(o.outputs[i]);
+  }
+  if (progress) progress(1);
   return done;
 }
 
@@ -80,7 +90,7 @@ int run(const Options& o) {
 std::function<int()> add_image_convert(CLI::App& app) {
   static Options options;
   app.add_option("input", options.input, "An image")->required();
-  app.add_option("-o,--output", options.output, "Where to; its extension says the format")->required();
+  add_outputs(app, options.outputs, "Where to; its extension says the format")->required();
   app.add_option("--depth", options.depth, "auto, 8, 16, half or float, of those that the format has")
       ->check(CLI::IsMember(depth_words()))
       ->capture_default_str();
@@ -89,14 +99,16 @@ std::function<int()> add_image_convert(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--channels", options.channels, "Only these, in this order: R,G,B or new=old")->delimiter(',');
   app.add_option("--layer", options.layer, "Only the channels of this layer, without its name");
-  app.add_option("--exposure", options.exposure, "Doubles light this many times; not alpha, depth and such")
-      ->check(CLI::Range(-1000.0, 1000.0))
-      ->capture_default_str();
+  expect_number(
+      app.add_option("--exposure", options.exposure, "Doubles light this many times; not alpha, depth and such")
+          ->capture_default_str(),
+      {.expected = "a number of stops from -1000 to 1000", .low = -1000, .below = 1000.0001});
   app.add_option("--crop-to", options.crop_to,
                  "display: all of what is shown and nothing else; data: show what there is, whatever was shown")
       ->check(CLI::IsMember({"display", "data"}));
-  app.add_option("--quality", options.quality, "Of JPEG (92 without it) and WebP (lossless without it)")
-      ->check(CLI::Range(1, 100));
+  expect_number(app.add_option("--quality", options.quality, "Of JPEG (92 without it) and WebP (lossless without it)"),
+                whole_number(1, 100));
+  add_work_options(app, options.work);
   app.footer(
       "OpenEXR keeps all channels, windows and attributes; other formats hold the display window, and its colours.\n"
       "Display formats are clipped to [0, 1] and get sRGB's curve, but TIFF with --depth float, which stays linear.");

@@ -18,8 +18,9 @@ struct Options : FilterOptions {
 
 int run(const Options& o) {
   const GapFilling method = gap_filling(o.method);
-  const Image atlas = read_image(o.input);
-  write_outputs(o, gaps_filled(atlas, o.mask.empty() ? coverage_of(atlas) : read_image(o.mask), method));
+  const FractionSink progress = start_work(o.work);
+  const Image atlas = read_input(o, progress);
+  write_outputs(o, gaps_filled(atlas, o.mask.empty() ? coverage_of(atlas) : read_image(o.mask), method), progress);
   return done;
 }
 

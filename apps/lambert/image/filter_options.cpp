@@ -1,37 +1,34 @@
 #include "filter_options.h"
-#include "../print_path.h"
+#include "../outputs.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/number.h"
-#include "lambert/image/io.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-
-#include <filesystem>
 
 namespace lambert::cli {
 
 void add_image_paths(CLI::App& app, FilterOptions& o) {
   app.add_option("input", o.input, "The image")->required()->type_name("IN");
-  app.add_option("-o,--output", o.outputs, "Image files to write")
-      ->required()
-      ->type_name("OUT")
-      ->allow_extra_args(false);
+  add_outputs(app, o.outputs, "Image to write, by extension")->required();
+  add_work_options(app, o.work);
 }
 
 void add_edge_option(CLI::App& app, FilterOptions& o) {
   app.add_option("--edge", o.edge, "What stands around the image: " + listed(edge_mode_names()))->capture_default_str();
 }
 
-void write_and_print(const std::string& path, const Image& image) {
-  write_image(path, image);
-  print_path(path);
+Image read_input(const FilterOptions& o, const FractionSink& progress) {
+  check_images(o.outputs);
+  Image image = read_image(o.input);
+  if (progress) progress(0.3);
+  return image;
 }
 
-void write_outputs(const FilterOptions& o, Image image) {
+void write_outputs(const FilterOptions& o, Image image, const FractionSink& progress) {
   image.metadata["software"] = "lambert " LAMBERT_VERSION;
-  for (const std::string& path : o.outputs) write_and_print(path, image);
+  write_images(o.outputs, image, {}, part_of(progress, 0.7, 1));
 }
 
 Vec2 parse_per_axis(const std::string& flag, const std::string& text, float low, float high) {

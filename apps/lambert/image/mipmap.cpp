@@ -3,6 +3,7 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../outputs.h"
 
 #include "lambert/base/error.h"
 #include "lambert/image/filter/pyramid.h"
@@ -54,17 +55,18 @@ int run(const Options& o) {
   if (o.packed + o.all + o.level.has_value() > 1) throw Error("expected one of --packed, --level and --all");
   if (o.all)
     for (const std::string& path : o.outputs) numbered(path, 0);
-  Image image = read_image(o.input);
+  const FractionSink progress = start_work(o.work);
+  Image image = read_input(o, progress);
   const Pyramid pyramid = o.unpack ? unpacked(image) : Pyramid(std::move(image));
   if (o.level && *o.level >= pyramid.level_count())
     throw Error("--level: " + o.input + " has the levels 0 to " + std::to_string(pyramid.level_count() - 1) + ", not " +
                 std::to_string(*o.level));
   if (o.all) {
     for (const std::string& path : o.outputs)
-      for (int i = 0; i < pyramid.level_count(); ++i) write_and_print(numbered(path, i), pyramid.level(i));
+      for (int i = 0; i < pyramid.level_count(); ++i) write_images({numbered(path, i)}, pyramid.level(i));
     return done;
   }
-  write_outputs(o, o.packed ? packed(pyramid) : o.level ? pyramid.level(*o.level) : side_by_side(pyramid));
+  write_outputs(o, o.packed ? packed(pyramid) : o.level ? pyramid.level(*o.level) : side_by_side(pyramid), progress);
   return done;
 }
 

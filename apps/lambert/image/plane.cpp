@@ -3,6 +3,7 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../outputs.h"
 
 #include "lambert/image/filter/textured_plane.h"
 #include "lambert/image/io.h"
@@ -40,12 +41,15 @@ int run(const Options& o) {
   plane.lookup.edges = {edge, edge};
   plane.lookup.max_anisotropy = o.anisotropy;
   const Pyramid texture(o.input.empty() ? checkerboard(256, 8) : read_image(o.input));
+  const FractionSink progress = start_work(o.work);
+  const std::vector<std::string> names = o.lookups.empty() ? lookup_method_names() : o.lookups;
   std::vector<Image> panels;
-  for (const std::string& name : o.lookups.empty() ? lookup_method_names() : o.lookups) {
+  for (const std::string& name : names) {
     plane.lookup.method = lookup_method(name);
     panels.push_back(textured_plane(texture, plane));
+    if (progress) progress(0.7 * static_cast<double>(panels.size()) / static_cast<double>(names.size()));
   }
-  write_outputs(o, joined(panels, 2));
+  write_outputs(o, joined(panels, 2), progress);
   return done;
 }
 
@@ -55,10 +59,8 @@ std::function<int()> add_plane(CLI::App& app) {
   static Options o;
   o.edge = "repeat";
   app.add_option("input", o.input, "The texture; a checkerboard when there is none")->type_name("IN");
-  app.add_option("-o,--output", o.outputs, "Image files to write")
-      ->required()
-      ->type_name("OUT")
-      ->allow_extra_args(false);
+  add_outputs(app, o.outputs, "Image to write, by extension")->required();
+  add_work_options(app, o.work);
   app.add_option("--lookup", o.lookups, "Side by side, in this order: " + listed(lookup_method_names()) + " (all)")
       ->delimiter(',')
       ->allow_extra_args(false);

@@ -52,13 +52,15 @@ int run(const Options& o) {
                           .edge = edge_mode(o.edge)};
   if (!o.radius.empty()) settings.filter.radius = parse_per_axis("--radius", o.radius, 0.1f, 64);
   if (o.sigma) settings.filter.sigma = *o.sigma;
-  const Image image = read_image(o.input);
+  const FractionSink progress = start_work(o.work);
+  settings.progress = part_of(progress, 0.3, 0.7);
+  const Image image = read_input(o, progress);
   const Window from = image.display_window();
   const auto by_scale = [&](int size) {
     return static_cast<int>(std::clamp<std::int64_t>(std::llround(static_cast<double>(*o.scale) * size), 1, 65536));
   };
   const Vec2i size = o.scale ? Vec2i(by_scale(from.width), by_scale(from.height)) : parse_target(o.size, from);
-  write_outputs(o, resized(image, size.x, size.y, settings));
+  write_outputs(o, resized(image, size.x, size.y, settings), progress);
   return done;
 }
 

@@ -22,8 +22,10 @@ struct Options : FilterOptions {
 int run(const Options& o) {
   if (o.filter != "box" && o.filter != "bartlett")
     throw Error("--filter: unknown kernel " + unknown_word(o.filter, {"box", "bartlett"}));
-  const Image samples = read_image(o.input);
-  write_outputs(o, resolved(samples, o.factor, o.filter == "box" ? ResolveKernel::box : ResolveKernel::bartlett));
+  const FractionSink progress = start_work(o.work);
+  const Image samples = read_input(o, progress);
+  write_outputs(o, resolved(samples, o.factor, o.filter == "box" ? ResolveKernel::box : ResolveKernel::bartlett),
+                progress);
   return done;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The verbs of `lambert image`.
 
-#include <CLI/App.hpp>
+#include "../cli_fwd.h"
 
 #include <filesystem>
 #include <functional>

@@ -7,6 +7,7 @@
 #include "lambert/polygon/boolean/boolean.h"
 #include "lambert/polygon/box.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>

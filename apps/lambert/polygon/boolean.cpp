@@ -14,18 +14,22 @@ using namespace draw;
 namespace {
 
 /// The first file with the second, the result with the third, and so on; one file alone is united with nothing.
-Regions combined(BooleanOp op, const std::vector<PolygonInput>& inputs, FillRule rule) {
+Regions combined(BooleanOp op, const std::vector<PolygonInput>& inputs, FillRule rule, const FractionSink& progress) {
   Regions result = normalised(rings_of(inputs.front().features), rule);
-  for (std::size_t i = 1; i < inputs.size(); ++i)
+  for (std::size_t i = 1; i < inputs.size(); ++i) {
+    if (progress) progress(static_cast<double>(i) / static_cast<double>(inputs.size()));
     result =
         boolean(op, rings_of(result), rings_of(normalised(rings_of(inputs[i].features), rule)), FillRule::even_odd);
+  }
   return result;
 }
 
 int run(const PolygonOptions& o, BooleanOp op, const std::string& title) {
+  const FractionSink progress = start_work(o.work);
   const std::vector<PolygonInput> inputs = read_inputs(o, {.validity = true});
+  if (progress) progress(0.2);
   const FillRule rule = fill_rule(o);
-  const Regions regions = combined(op, inputs, rule);
+  const Regions regions = combined(op, inputs, rule, part_of(progress, 0.2, 0.9));
   Feature feature;
   feature.polygons = polygons_of(regions);
 
@@ -46,6 +50,7 @@ int run(const PolygonOptions& o, BooleanOp op, const std::string& title) {
   result.srid = inputs.front().features.srid;
   result.features.push_back(std::move(feature));
   write_geometry(o, inputs.front().format, result, picture);
+  if (progress) progress(1);
   return done;
 }
 
@@ -53,6 +58,7 @@ std::function<int()> add_boolean(CLI::App& app, PolygonOptions& options, Boolean
                                  int least, const std::string& footer) {
   add_input_options(app, options)->expected(least, 1 << 20);
   add_geometry_outputs(app, options);
+  add_work_options(app, options.work);
   app.footer(footer +
              "\nEach file's rings enclose by --rule. The result is always valid: simple rings that do not cross,\n"
              "outer ones counter-clockwise, holes clockwise.");

@@ -4,6 +4,7 @@
 
 #include "lambert/polygon/queries/check.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 namespace lambert::cli {

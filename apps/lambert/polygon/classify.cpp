@@ -7,6 +7,7 @@
 #include "lambert/polygon/queries/simple.h"
 #include "lambert/polygon/sweep/intersections.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <optional>

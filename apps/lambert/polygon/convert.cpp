@@ -2,6 +2,8 @@
 
 #include "../command.h"
 
+#include <CLI/CLI.hpp>
+
 namespace lambert::cli {
 
 using namespace polygon;

@@ -1,6 +1,7 @@
 #include "places.h"
 
 #include "../command.h"
+#include "../number_range.h"
 
 #include "lambert/base/error.h"
 #include "lambert/polygon/boolean/boolean.h"
@@ -71,7 +72,7 @@ std::function<int()> add_trapezoids(CLI::App& app) {
   app.add_option("--tie-break", options.tie_break,
                  "For vertices of equal height: symbolic, or rotation by a random angle")
       ->capture_default_str();
-  app.add_option("--seed", options.seed, "Of the random angle")->capture_default_str();
+  add_seed(app, options.seed, "Of the random angle");
   add_geometry_outputs(app, options);
   app.footer("Horizontal cuts at the height of every vertex.");
   return [] {

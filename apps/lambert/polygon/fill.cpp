@@ -4,6 +4,7 @@
 #include "../print_path.h"
 
 #include "lambert/base/error.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/colour.h"
 #include "lambert/image/io.h"
 #include "lambert/polygon/box.h"
@@ -15,7 +16,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <map>
 
@@ -113,7 +113,7 @@ int run_pixels(Options o) {
   const FillRule rule = fill_rule(o);
   const std::vector<Rings> features = fitted(joined(inputs), size);
   check_finite(features);
-  const auto is_png = [](const std::string& path) { return std::filesystem::path(path).extension() == ".png"; };
+  const auto is_png = [](const std::string& path) { return format_extension(path) == ".png"; };
   const auto pngs = std::stable_partition(o.outputs.begin(), o.outputs.end(), std::not_fn(is_png));
   const std::vector<std::string> images(pngs, o.outputs.end());
   o.outputs.erase(pngs, o.outputs.end());

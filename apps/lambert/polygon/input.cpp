@@ -2,13 +2,14 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
+#include "lambert/base/log.h"
 #include "lambert/base/number.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/polygon/predicates/scale.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -20,22 +21,11 @@ using namespace draw;
 
 namespace {
 
-std::string standard_input() {
-  constexpr std::size_t most = std::size_t{1} << 32;
-  std::string text;
-  std::array<char, 65536> block;
-  while (const std::size_t count = std::fread(block.data(), 1, block.size(), stdin)) {
-    text.append(block.data(), count);
-    if (text.size() > most) throw Error("standard input: more than 4 GB");
-  }
-  return text;
-}
-
 PolygonInput read_input(const std::string& file) {
   if (file == "-") {
-    const std::string text = standard_input(), name = "standard input";
-    const FileFormat format = format_of_content(text);
-    return {name, parse_features(text, name, format), format};
+    const MappedFile input = open_input(file);
+    const FileFormat format = format_of_content(input.text());
+    return {input_name(file), parse_features(input.text(), input_name(file), format), format};
   }
   const auto named = format_of(file);
   return {file, read_features(file), named ? *named : format_of_content(MappedFile(file).text())};
@@ -56,7 +46,7 @@ void note_left_out(const PolygonInput& input, Uses uses) {
   if (lines > 0 && !uses.lines) parts.push_back(counted(lines, "line"));
   if (points > 0 && !uses.points) parts.push_back(counted(points, "point"));
   if (heights) parts.emplace_back("third coordinates");
-  if (!parts.empty()) fmt::print(stderr, "lambert: note: {}: left out: {}\n", input.name, fmt::join(parts, ", "));
+  if (!parts.empty()) log::info(fmt::format("{}: left out: {}", input.name, fmt::join(parts, ", ")));
 }
 
 /// By the grid of boolean.h.
@@ -64,9 +54,9 @@ void note_rounding(const PolygonInput& input) {
   Sizes sizes;
   for (const Feature& feature : input.features.features) sizes.add(rings_of(feature));
   if (sizes.most > 0 && std::ilogb(sizes.least) < std::ilogb(sizes.most) - 420)
-    fmt::print(stderr, "lambert: note: {}: beside coordinates of {} those of {} are rounded to a multiple of {}\n",
-               input.name, number_text(sizes.most), number_text(sizes.least),
-               number_text(std::ldexp(1.0, std::ilogb(sizes.most) - 471)));
+    log::info(fmt::format("{}: beside coordinates of {} those of {} are rounded to a multiple of {}", input.name,
+                          number_text(sizes.most), number_text(sizes.least),
+                          number_text(std::ldexp(1.0, std::ilogb(sizes.most) - 471))));
 }
 
 }  // namespace

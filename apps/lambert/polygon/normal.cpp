@@ -6,6 +6,7 @@
 #include "lambert/base/number.h"
 #include "lambert/polygon/queries/normal.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/draw/pixels.h"
 #include "lambert/draw/svg.h"
 #include "lambert/image/io.h"
@@ -11,7 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
+#include <algorithm>
 
 namespace lambert::cli {
 
@@ -20,8 +21,9 @@ using namespace draw;
 
 namespace {
 
-std::string extension_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
-bool is_picture(const std::string& path) { return extension_of(path) == ".svg" || extension_of(path) == ".png"; }
+bool is_picture(const std::string& path) {
+  return format_extension(path) == ".svg" || format_extension(path) == ".png";
+}
 
 /// Pictures by all flags that name one; returns what else -o names.
 std::vector<std::string> other_outputs(const PolygonOptions& o, std::vector<std::string>& pictures) {
@@ -36,7 +38,7 @@ void write_pictures(const std::vector<std::string>& paths, const Picture& pictur
   if (paths.empty()) return;
   const Drawing drawing = drawn(picture);
   for (const std::string& path : paths) {
-    if (extension_of(path) == ".svg" || path == svg) {
+    if (format_extension(path) == ".svg" || path == svg) {
       write_atomically(path, svg_text(drawing));
     } else {
       Image image = to_image(rasterised(drawing));
@@ -53,35 +55,42 @@ void add_pictures(CLI::App& app, PolygonOptions& o) {
 
 }  // namespace
 
-void add_geometry_outputs(CLI::App& app, PolygonOptions& o) {
-  app.add_option("-o,--output", o.outputs,
-                 "Write the result: .geojson .json .wkt .txt .csv .xy, or a picture: .svg .png; "
-                 "several allowed. Else it is printed")
+void add_output_files(CLI::App& app, PolygonOptions& o, const std::string& help) {
+  app.add_option("-o,--output", o.outputs, help + "; several allowed")
       ->type_name("FILE")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->check([](const std::string& file) {
+        if (file != "-" && is_standard_stream(file)) reserve_standard_output();
+        return std::string();
+      });
+}
+
+void add_geometry_outputs(CLI::App& app, PolygonOptions& o) {
+  add_output_files(app, o,
+                   "Write the result: .geojson .json .wkt .txt .csv .xy, or a picture: .svg .png; else it is printed");
   app.add_option("--to", o.format, "Format to print: geojson, wkt or vertices; that of the input by default");
   add_pictures(app, o);
 }
 
 void add_fact_outputs(CLI::App& app, PolygonOptions& o) {
-  app.add_option("-o,--output", o.outputs, "Write the facts as .json, or a picture: .svg .png; several allowed")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+  add_output_files(app, o, "Write the facts as .json, or a picture: .svg .png");
   app.add_flag("--json", o.json, "Print JSON");
   add_pictures(app, o);
+}
+
+void check_geometry_outputs(const PolygonOptions& o) {
+  std::vector<std::string> pictures, others = o.meshes;
+  others.insert(others.end(), {".svg", ".png"});
+  for (const std::string& path : other_outputs(o, pictures))
+    if (path != "-" && std::ranges::find(o.meshes, format_extension(path)) == o.meshes.end())
+      output_format(path, others);
 }
 
 void write_geometry(const PolygonOptions& o, FileFormat like, const Features& result, const Picture& picture) {
   std::vector<std::string> pictures;
   const std::vector<std::string> files = other_outputs(o, pictures);
-  bool print = files.empty() && !o.mesh_written;
-  for (const std::string& path : files) {
-    if (path == "-") {
-      print = true;
-    } else {
-      output_format(path);
-    }
-  }
+  check_geometry_outputs(o);
+  const bool print = (files.empty() && !o.mesh_written) || std::ranges::find(files, "-") != files.end();
   const FileFormat format = o.format.empty() ? like : format_named(o.format);
   for (const std::string& path : files)
     if (path != "-") write_features(path, result);
@@ -100,8 +109,8 @@ void write_facts(const PolygonOptions& o, const nlohmann::ordered_json& facts, c
   const std::vector<std::string> files = other_outputs(o, pictures);
   const auto dumped = [&] { return facts.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"; };
   for (const std::string& path : files)
-    if (extension_of(path) != ".json")
-      throw Error(path + ": unknown extension " + unknown_word(extension_of(path), {".json", ".svg", ".png"}));
+    if (format_extension(path) != ".json")
+      throw Error(path + ": unknown extension " + unknown_word(format_extension(path), {".json", ".svg", ".png"}));
   for (const std::string& path : files) write_atomically(path, dumped());
   write_pictures(pictures, picture, o.svg);
   fmt::print("{}", o.json ? dumped() : text);

@@ -1,6 +1,7 @@
 #include "places.h"
 
 #include "../command.h"
+#include "../number_range.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/number.h"
@@ -10,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <limits>
 #include <optional>
 
 namespace lambert::cli {
@@ -47,8 +49,7 @@ std::optional<Picked> nearest(const std::vector<PolygonInput>& inputs, const Gra
 }
 
 int run(const Options& o) {
-  if (!(o.radius > 0) || !(o.width > 0) || !(o.radius > o.width / 2))
-    throw Error("pick: expected --radius and --width above 0, the radius more than half the width");
+  if (!(o.radius > o.width / 2)) throw Error("pick: expected a --radius of more than half the --width");
   if (o.at.empty()) throw Error("pick: expected --at X,Y");
   const std::vector<Vec2d> points = parse_points("--at", o.at);
   const std::vector<PolygonInput> inputs = read_inputs(o, {.lines = true});
@@ -93,9 +94,14 @@ std::function<int()> add_pick(CLI::App& app) {
   static Options options;
   add_input_options(app, options, false);
   add_at_option(app, options.at);
-  app.add_option("--radius", options.radius, "Of the disks about the ends, in pixels")->capture_default_str();
-  app.add_option("--width", options.width, "Of the rectangle along the edge, from side to side, in pixels")
-      ->capture_default_str();
+  const NumberRange above_zero{.expected = "a finite number above 0", .low = std::numeric_limits<double>::denorm_min()};
+  expect_number(
+      app.add_option("--radius", options.radius, "Of the disks about the ends, in pixels")->capture_default_str(),
+      above_zero);
+  expect_number(
+      app.add_option("--width", options.width, "Of the rectangle along the edge, from side to side, in pixels")
+          ->capture_default_str(),
+      above_zero);
   app.add_option("--viewport", options.viewport, "The pixels that show the window")->capture_default_str();
   app.add_option("--window", options.window, "What is seen, x0,y0,x1,y1; the box of the data by default");
   app.add_flag("--units", options.units, "Radius and width are in the data's units, whatever the viewport");

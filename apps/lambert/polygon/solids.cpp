@@ -2,8 +2,10 @@
 #include "places.h"
 
 #include "../command.h"
+#include "../number_range.h"
 
 #include "lambert/base/error.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/formats/write_mesh.h"
 #include "lambert/geometry/extrude.h"
 #include "lambert/geometry/revolve.h"
@@ -13,7 +15,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <filesystem>
 
 namespace lambert::cli {
 
@@ -39,24 +40,18 @@ Vec3d parse_vector(const std::string& flag, const std::string& text) {
 
 /// To the files of -o, or as OBJ text to standard output.
 int write_solid(PolygonOptions o, const TriangleMesh& mesh) {
-  if (o.outputs.empty()) {
+  if (o.outputs.empty() || o.outputs == std::vector<std::string>{"-"}) {
     fmt::print("{}", obj_of(mesh));
     return done;
   }
   const std::vector<std::string> known = mesh_extensions();
   for (const std::string& path : o.outputs) {
-    const std::string extension = std::filesystem::path(path).extension().string();
+    const std::string extension = format_extension(path);
     if (std::ranges::find(known, extension) == known.end())
       throw Error(path + ": unknown extension " + unknown_word(extension, known));
   }
   write_meshes(o, [&] { return mesh; });
   return done;
-}
-
-void add_solid_outputs(CLI::App& app, PolygonOptions& o) {
-  app.add_option("-o,--output", o.outputs, "Write the mesh: .ply .obj .glb; several allowed. Else OBJ is printed")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
 }
 
 void append(TriangleMesh& all, const TriangleMesh& more) {
@@ -99,8 +94,10 @@ std::function<int()> add_extrude(CLI::App& app) {
   static ExtrudeOptions options;
   add_input_options(app, options);
   app.add_option("--along", options.along, "Where to move the polygon, X,Y,Z")->capture_default_str();
-  app.add_option("--crease", options.crease, "Sides that turn by fewer degrees look smooth")->capture_default_str();
-  add_solid_outputs(app, options);
+  expect_number(
+      app.add_option("--crease", options.crease, "Sides that turn by fewer degrees look smooth")->capture_default_str(),
+      angle_in_degrees(0, 180));
+  add_output_files(app, options, "Write the mesh: .ply .obj .glb; else OBJ is printed");
   app.footer("A closed prism with caps, normals and texture coordinates.");
   return [] { return run_extrude(options); };
 }
@@ -112,11 +109,16 @@ std::function<int()> add_revolve(CLI::App& app) {
   app.add_option("--origin", options.origin, "A point of the axis")->capture_default_str();
   app.add_option("--reference", options.reference, "Where the x of a polygon points at the start")
       ->capture_default_str();
-  app.add_option("--sweep", options.sweep, "Degrees to turn by")->capture_default_str();
-  app.add_option("--start", options.start, "Degrees to start at")->capture_default_str();
-  app.add_option("--steps", options.steps, "Positions around")->capture_default_str();
-  app.add_option("--crease", options.crease, "Strips that turn by fewer degrees look smooth")->capture_default_str();
-  add_solid_outputs(app, options);
+  expect_number(app.add_option("--sweep", options.sweep, "Degrees to turn by")->capture_default_str(),
+                {.expected = "an angle above 0 and at most 360 degrees", .low = 1e-6, .below = 360.00001});
+  expect_number(app.add_option("--start", options.start, "Degrees to start at")->capture_default_str(),
+                angle_in_degrees(-360, 360));
+  expect_number(app.add_option("--steps", options.steps, "Positions around")->capture_default_str(),
+                whole_number(1, 1 << 24));
+  expect_number(app.add_option("--crease", options.crease, "Strips that turn by fewer degrees look smooth")
+                    ->capture_default_str(),
+                angle_in_degrees(0, 180));
+  add_output_files(app, options, "Write the mesh: .ply .obj .glb; else OBJ is printed");
   app.footer(
       "Of a polygon, x is the distance from the axis and y the height: a solid. A line, which may have a third\n"
       "coordinate, leaves a surface where it is.");

@@ -4,6 +4,8 @@
 
 #include "../command.h"
 
+#include "lambert/formats/write_mesh.h"
+
 #include <CLI/CLI.hpp>
 
 namespace lambert::cli {
@@ -26,6 +28,7 @@ TriangleMesh flat_mesh(const std::vector<FeatureTriangles>& meshes) {
 }
 
 int run(const TriangulateOptions& o) {
+  check_geometry_outputs(o);
   const std::vector<PolygonInput> inputs = read_inputs(o, {.validity = true});
   Picture picture;
   std::vector<Rings> shown;
@@ -50,6 +53,7 @@ int run(const TriangulateOptions& o) {
 
 std::function<int()> add_triangulate(CLI::App& app) {
   static TriangulateOptions options;
+  options.meshes = mesh_extensions();
   add_input_options(app, options);
   add_method(app, options);
   add_geometry_outputs(app, options);

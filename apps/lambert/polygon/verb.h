@@ -1,11 +1,13 @@
 #pragma once
 /// What the verbs of `lambert polygon` share.
 
+#include "../cli_fwd.h"
+#include "../work.h"
+
 #include "lambert/draw/picture.h"
 #include "lambert/polygon/box.h"
 #include "lambert/polygon/formats/file.h"
 
-#include <CLI/App.hpp>
 #include <nlohmann/json_fwd.hpp>
 
 #include <functional>
@@ -19,11 +21,15 @@ struct PolygonOptions {
   std::vector<std::string> files, outputs;
   std::string rule = "even-odd", format, svg, png;
   bool json = false;
-  bool mesh_written = false;  ///< the result is in a file already
+  WorkOptions work;
+  std::vector<std::string> meshes;  ///< extensions of meshes that -o may name
+  bool mesh_written = false;        ///< the result is in a file already
 };
 
 /// FILE…, and --rule where `with_rule`.
 CLI::Option* add_input_options(CLI::App& app, PolygonOptions& o, bool with_rule = true);
+/// -o,--output FILE…, of which "svg:-", "obj:-" and the like are standard output; "-" is for the verb.
+void add_output_files(CLI::App& app, PolygonOptions& o, const std::string& help);
 /// -o, --to, --svg, --png: for verbs whose result is geometry.
 void add_geometry_outputs(CLI::App& app, PolygonOptions& o);
 /// -o, --json, --svg, --png: for verbs that print facts.
@@ -49,6 +55,8 @@ std::vector<PolygonInput> read_inputs(const PolygonOptions& o, Uses uses);
 polygon::Features joined(const std::vector<PolygonInput>& inputs);
 polygon::FillRule fill_rule(const PolygonOptions& o);
 
+/// Throws Error when -o names a file that is neither geometry, a picture nor a mesh.
+void check_geometry_outputs(const PolygonOptions& o);
 /// Writes the files that were asked for and prints their paths; prints the geometry itself when no file is for it.
 /// The format printed is that of --to, else that of the first input.
 void write_geometry(const PolygonOptions& o, polygon::FileFormat like, const polygon::Features& result,

@@ -4,6 +4,7 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../outputs.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"
@@ -23,13 +24,13 @@ using namespace probe;
 namespace {
 
 struct Options {
-  std::vector<std::string> files;
+  std::vector<std::string> files, outputs;
   std::vector<double> angles;
   std::vector<float> reflectivity;
   double ball_distance = 0, camera_radius = 25, rim = 150, search = 8;
   int size = 512;
+  WorkOptions work;
   bool find = false, as_given = false, keep_exposure = false, json = false;
-  std::string output;
 };
 
 Probe read_ball(const Options& o, const std::string& file) {
@@ -61,9 +62,12 @@ int run(const Options& o) {
         fmt::format("--angles: expected {} numbers, one for each photograph, got {}", o.files.size(), o.angles.size()));
   for (const double angle : o.angles)
     if (!(std::abs(angle) <= 1e5)) throw Error("--angles: expected angles in degrees");
+  check_probes(o.outputs);
+  const FractionSink progress = start_work(o.work);
   std::vector<BallView> views;
   for (std::size_t i = 0; i < o.files.size(); ++i)
     views.push_back({read_ball(o, o.files[i]), degrees(static_cast<float>(o.angles[i]))});
+  if (progress) progress(0.3);
   const AssembleSettings settings{.camera_radius = degrees(static_cast<float>(o.camera_radius)),
                                   .rim = degrees(static_cast<float>(o.rim)),
                                   .align = !o.as_given,
@@ -91,7 +95,8 @@ int run(const Options& o) {
                       o.files[i], turned, o.search));
   }
   if (o.json) fmt::print("{}\n", nlohmann::ordered_json{{"views", list}}.dump(2));
-  write_probe(o.output, a.probe, Arrangement::single);
+  write_probe(o.outputs, a.probe, Arrangement::single);
+  if (progress) progress(1);
   return done;
 }
 
@@ -128,8 +133,8 @@ std::function<int()> add_probe_assemble(CLI::App& app) {
   expect_number(app.add_option("--size", o.size, "Rows of the lat-long map")->capture_default_str(),
                 {.expected = "a number of rows from 1 to 16384", .low = 1, .below = 16385});
   app.add_flag("--json", o.json, "Print what was found as JSON");
-  app.add_option("-o,--output", o.output, "The lat-long map; the first camera stands at +z and looks along -z")
-      ->required();
+  add_outputs(app, o.outputs, "The lat-long map; the first camera stands at +z and looks along -z")->required();
+  add_work_options(app, o.work);
   return [] { return run(o); };
 }
 

@@ -1,7 +1,7 @@
 #include "verb.h"
 
 #include "../command.h"
-#include "../number_range.h"
+#include "../outputs.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"
@@ -43,7 +43,9 @@ int run(const Options& o) {
   const auto surface = known(o);
   if (!o.restored.empty() && !surface)
     throw Error("--restored: needs --irradiance or --diffuse-radiance to know what is missing");
+  const FractionSink progress = start_work(o.input.work);
   const ProbeInput input = read_probe(o.input);
+  if (progress) progress(0.3);
   const RangeReport r = check_range(input.probe);
   const float wide = r.plateau_solid_angle / sun_solid_angle;
   nlohmann::ordered_json j{{"brightest", r.brightest},
@@ -91,8 +93,9 @@ int run(const Options& o) {
   }
   if (!o.restored.empty()) {
     if (!factor) throw Error("--restored: no factor would give the surface its irradiance");
-    write_probe(o.restored, restored(input.probe, *factor), input.arrangement);
+    write_probe({o.restored}, restored(input.probe, *factor), input.arrangement);
   }
+  if (progress) progress(1);
   return done;
 }
 
@@ -112,8 +115,8 @@ std::function<int()> add_probe_check(CLI::App& app) {
       ->delimiter(',')
       ->expected(3)
       ->capture_default_str();
-  app.add_option("--restored", options.restored,
-                 "Write the map with its brightest place multiplied by what is missing");
+  add_output(app, "--restored", options.restored,
+             "Write the map with its brightest place multiplied by what is missing");
   app.add_flag("--json", options.json, "Print JSON");
   app.footer(
       "Warns when the brightest place is a plateau: the sun clipped by the camera. With a surface whose irradiance is\n"

@@ -2,6 +2,7 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../outputs.h"
 
 #include "lambert/base/error.h"
 #include "lambert/image/probe/resample.h"
@@ -19,7 +20,7 @@ struct Options {
   LayoutOptions to;
   RotationOptions rotation;
   int size = 0;
-  std::string output;
+  std::vector<std::string> outputs;
 };
 
 void add_output(CLI::App& app, Options& o) {
@@ -27,10 +28,12 @@ void add_output(CLI::App& app, Options& o) {
                                "Rows of a lat-long map, of a face or of a square map (default: as fine "
                                "as the input)"),
                 {.expected = "a number of rows from 1 to 32768", .low = 1, .below = 32769});
-  app.add_option("-o,--output", o.output, "What to write; {} in the name stands for six faces")->required();
+  add_outputs(app, o.outputs, "What to write, by extension; {} in the name stands for six faces")->required();
 }
 
 int run(const Options& o, bool keep_layout) {
+  check_probes(o.outputs);
+  const FractionSink progress = start_work(o.input.work);
   const ProbeInput input = read_probe(o.input);
   const Layout to =
       keep_layout ? Layout{input.probe.projection, input.arrangement, input.probe.texels} : layout_of(o.to);
@@ -38,8 +41,11 @@ int run(const Options& o, bool keep_layout) {
   const Vec2i size = same_size    ? Vec2i(input.probe.width(), input.probe.height())
                      : o.size > 0 ? chart_size(to.projection, o.size)
                                   : similar_size(input.probe, to.projection);
-  write_probe(o.output, resample(input.probe, to.projection, to.texels, size, {.rotation = rotation_of(o.rotation)}),
+  write_probe(o.outputs,
+              resample(input.probe, to.projection, to.texels, size,
+                       {.rotation = rotation_of(o.rotation), .progress = part_of(progress, 0.1, 0.8)}),
               to.arrangement);
+  if (progress) progress(1);
   return done;
 }
 

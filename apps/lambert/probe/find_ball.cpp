@@ -4,7 +4,7 @@
 
 #include "../command.h"
 #include "../number_range.h"
-#include "../print_path.h"
+#include "../outputs.h"
 
 #include "lambert/base/error.h"
 #include "lambert/image/io.h"
@@ -20,7 +20,8 @@ using namespace probe;
 namespace {
 
 struct Options {
-  std::string file, output;
+  std::string file;
+  std::vector<std::string> outputs;
   int size = 0;
   std::vector<double> circle;
   std::vector<int> reflected, direct;
@@ -46,12 +47,10 @@ int run(const Options& o) {
   j["centre"] = {ball->centre.x, ball->centre.y};
   j["radius"] = ball->radius;
   if (o.circle.empty()) j["coverage"] = ball->coverage, j["residual"] = ball->residual;
-  if (!o.output.empty()) {
-    write_image(o.output, crop_ball(image, *ball, o.size));
-    print_path(o.output);
-  } else {
+  if (o.outputs.empty())
     fmt::print("{}\n", j.dump(2));
-  }
+  else
+    write_images(o.outputs, crop_ball(image, *ball, o.size));
   return done;
 }
 
@@ -71,7 +70,7 @@ std::function<int()> add_probe_find_ball(CLI::App& app) {
       ->expected(4);
   expect_number(app.add_option("--size", options.size, "Rows of the crop (default: as in the photograph)"),
                 {.expected = "a number of rows from 1 to 16384", .low = 1, .below = 16385});
-  app.add_option("-o,--output", options.output, "Write the square that the ball fills, a mirror-ball layout");
+  add_outputs(app, options.outputs, "Write the square that the ball fills, a mirror-ball layout");
   app.footer("Without -o prints the circle as JSON.");
   return [] { return run(options); };
 }

@@ -2,6 +2,7 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../outputs.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/number.h"
@@ -21,7 +22,8 @@ namespace {
 struct Options {
   ProbeInputOptions input;
   std::vector<float> normal;
-  std::string method = "quadrature", output;
+  std::string method = "quadrature";
+  std::vector<std::string> outputs;
   int size = 64;
   bool json = false;
 };
@@ -34,9 +36,11 @@ Probe by_harmonics(const Probe& probe, int rows) {
 }
 
 int run(const Options& o) {
-  if (o.output.empty() && o.normal.empty()) throw Error("nothing to do: give -o FILE or --normal X,Y,Z");
+  if (o.outputs.empty() && o.normal.empty()) throw Error("nothing to do: give -o FILE or --normal X,Y,Z");
   if (o.method != "quadrature" && o.method != "sh")
     throw Error("--method: unknown method " + unknown_word(o.method, {"quadrature", "sh"}));
+  check_probes(o.outputs);
+  const FractionSink progress = start_work(o.input.work);
   const ProbeInput input = read_probe(o.input);
   if (!o.normal.empty()) {
     const Vec3 n(o.normal[0], o.normal[1], o.normal[2]);
@@ -48,9 +52,11 @@ int run(const Options& o) {
     else
       fmt::print("irradiance {} {} {}\n", e.r, e.g, e.b);
   }
-  if (o.output.empty()) return done;
-  const Probe map = o.method == "sh" ? by_harmonics(input.probe, o.size) : diffuse_map(input.probe, o.size);
-  write_probe(o.output, map, input.arrangement);
+  if (o.outputs.empty()) return done;
+  const Probe map = o.method == "sh" ? by_harmonics(input.probe, o.size)
+                                     : diffuse_map(input.probe, o.size, part_of(progress, 0.1, 0.9));
+  write_probe(o.outputs, map, input.arrangement);
+  if (progress) progress(1);
   return done;
 }
 
@@ -67,8 +73,7 @@ std::function<int()> add_probe_irradiance(CLI::App& app) {
       ->expected(3);
   expect_number(app.add_option("--size", options.size, "Rows of the map or of a face")->capture_default_str(),
                 {.expected = "a number of rows from 1 to 2048", .low = 1, .below = 2049});
-  app.add_option("-o,--output", options.output,
-                 "Diffuse map in the layout of the input: irradiance over pi, all directions");
+  add_outputs(app, options.outputs, "Diffuse map in the layout of the input: irradiance over pi, all directions");
   app.add_flag("--json", options.json, "Print JSON");
   app.footer("Irradiance is in W/m2 for radiance in W/(m2 sr); a constant environment of 1 gives pi, its map is 1.");
   return [] { return run(options); };

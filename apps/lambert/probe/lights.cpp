@@ -2,6 +2,7 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../outputs.h"
 #include "../print_path.h"
 
 #include "lambert/base/error.h"
@@ -27,8 +28,8 @@ struct Options {
   ProbeInputOptions input;
   int suns = 1, count = 0;
   double threshold = 0.05, contrast = 20;
-  std::string sky, output;
-  std::string pbrt;
+  std::string sky, pbrt;
+  std::vector<std::string> outputs;
 };
 
 /// Directions as people say them: degrees above the horizon, and about +y from -z (ahead) towards +x.
@@ -71,7 +72,7 @@ Result suns(const Options& o, const ProbeInput& input) {
   const Rgb all = Irradiance(input.probe)({0, 1, 0}), sky = Irradiance(found.sky)({0, 1, 0});
   result.json = {{"lights", list},
                  {"horizontal_irradiance", {{"map", json_of(all)}, {"sky", json_of(sky)}, {"lights", json_of(up)}}}};
-  if (!o.sky.empty()) write_probe(o.sky, found.sky, input.arrangement);
+  if (!o.sky.empty()) write_probe({o.sky}, found.sky, input.arrangement);
   return result;
 }
 
@@ -95,19 +96,21 @@ Result cuts(const Options& o, const ProbeInput& input) {
 
 int run(const Options& o) {
   if (o.count > 0 && !o.sky.empty()) throw Error("--sky: median-cut lights leave no sky; leave out --count");
+  const FractionSink progress = start_work(o.input.work);
   const ProbeInput input = read_probe(o.input);
+  if (progress) progress(0.3);
   const Result result = o.count > 0 ? cuts(o, input) : suns(o, input);
   const std::string text = result.json.dump(2) + "\n";
   if (!o.pbrt.empty()) {
     write_atomically(o.pbrt, std::string_view(result.pbrt));
     print_path(o.pbrt);
   }
-  if (o.output.empty()) {
-    fmt::print("{}", text);
-  } else {
-    write_atomically(o.output, std::string_view(text));
-    print_path(o.output);
+  if (o.outputs.empty()) fmt::print("{}", text);
+  for (const std::string& path : o.outputs) {
+    write_atomically(path, std::string_view(text));
+    print_path(path);
   }
+  if (progress) progress(1);
   return done;
 }
 
@@ -126,11 +129,11 @@ std::function<int()> add_probe_lights(CLI::App& app) {
                                "A sun's peak is at least so many times the mean luminance of the rest")
                     ->capture_default_str(),
                 {.expected = "a number of at least 1", .low = 1, .below = 1e9});
-  app.add_option("--sky", options.sky, "Write the environment without the suns, in the layout of the input");
+  add_output(app, "--sky", options.sky, "Write the environment without the suns, in the layout of the input");
   expect_number(app.add_option("--count", options.count, "Median-cut lights instead (Debevec 2005), so many"),
                 {.expected = "a number from 1 to 65536", .low = 1, .below = 65537});
-  app.add_option("--pbrt", options.pbrt, "Write the lights as pbrt's LightSource directives");
-  app.add_option("-o,--output", options.output, "Write the JSON there instead of printing it");
+  add_output(app, "--pbrt", options.pbrt, "Write the lights as pbrt's LightSource directives");
+  add_outputs(app, options.outputs, "Write the JSON there instead of printing it");
   app.footer(
       "Directions point towards the lights; irradiance is on a surface that faces the light, as a directional light "
       "has it.");

@@ -1,11 +1,12 @@
 #include "verb.h"
 
 #include "../number_range.h"
-#include "../print_path.h"
+#include "../outputs.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"
 #include "lambert/base/number.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/io.h"
 #include "lambert/image/probe/missing.h"
 
@@ -103,6 +104,7 @@ void add_probe_input(CLI::App& app, ProbeInputOptions& o) {
   app.add_option("--reflectivity", o.reflectivity, "Of a mirror ball, one number or R,G,B: the input is divided by it")
       ->delimiter(',')
       ->expected(1, 3);
+  add_work_options(app, o.work);
 }
 
 ProbeInput read_probe(const ProbeInputOptions& o) {
@@ -159,16 +161,19 @@ Mat3 rotation_of(const RotationOptions& o) {
   return rotation(angle(o.yaw), angle(o.pitch), angle(o.roll));
 }
 
-void write_probe(const std::string& file, Probe probe, Arrangement arrangement) {
+void check_probes(const std::vector<std::string>& outputs) {
+  for (const std::string& output : outputs) check_images(files_of(output));
+}
+
+void write_probe(const std::vector<std::string>& outputs, Probe probe, Arrangement arrangement) {
   const std::vector<Image> pictures = arranged(std::move(probe), arrangement);
-  const std::vector<std::string> files = files_of(file);
-  if (files.size() != pictures.size())
-    throw Error(file + (pictures.size() == 6 ? ": six faces need a name with {} in it"
+  for (const std::string& output : outputs)
+    if (files_of(output).size() != pictures.size())
+      throw Error(output_name(output) + (pictures.size() == 6
+                                             ? ": six faces need a name with {} in it"
                                              : ": {} in a name stands for six faces; this layout is one picture"));
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    write_image(files[i], pictures[i]);
-    print_path(files[i]);
-  }
+  for (const std::string& output : outputs)
+    for (std::size_t i = 0; i < pictures.size(); ++i) write_images({files_of(output)[i]}, pictures[i]);
 }
 
 nlohmann::ordered_json json_of(Vec3 v) { return {v.x, v.y, v.z}; }

@@ -2,6 +2,7 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../outputs.h"
 
 #include "lambert/image/probe/spherical_harmonics.h"
 
@@ -17,13 +18,16 @@ namespace {
 
 struct Options {
   ProbeInputOptions input;
-  std::string output;
+  std::vector<std::string> outputs;
   int order = 2, size = 128;
   bool irradiance = false, json = false;
 };
 
 int run(const Options& o) {
+  check_probes(o.outputs);
+  const FractionSink progress = start_work(o.input.work);
   const ProbeInput input = read_probe(o.input);
+  if (progress) progress(0.3);
   std::vector<ShColour> coefficients = sh_project(input.probe, o.order);
   if (o.irradiance) coefficients = sh_irradiance(coefficients);
   if (o.json) {
@@ -34,15 +38,16 @@ int run(const Options& o) {
                                               {"basis", "real, orthonormal, polar axis +z, no Condon-Shortley sign"},
                                               {"coefficients", list}}
                            .dump(2));
-  } else if (o.output.empty()) {
+  } else if (o.outputs.empty()) {
     for (int l = 0; l <= o.order; ++l)
       for (int m = -l; m <= l; ++m) {
         const ShColour& c = coefficients[static_cast<std::size_t>(l * l + l + m)];
         fmt::print("{:2} {:3}  {: .6e} {: .6e} {: .6e}\n", l, m, c.r, c.g, c.b);
       }
   }
-  if (!o.output.empty())
-    write_probe(o.output, sh_map(coefficients, input.probe.projection, input.probe.texels, o.size), input.arrangement);
+  if (!o.outputs.empty())
+    write_probe(o.outputs, sh_map(coefficients, input.probe.projection, input.probe.texels, o.size), input.arrangement);
+  if (progress) progress(1);
   return done;
 }
 
@@ -57,7 +62,7 @@ std::function<int()> add_probe_sh(CLI::App& app) {
   app.add_flag("--irradiance", options.irradiance, "Convolve with the cosine: coefficients of irradiance");
   expect_number(app.add_option("--size", options.size, "Rows of the map written by -o")->capture_default_str(),
                 {.expected = "a number of rows from 1 to 4096", .low = 1, .below = 4097});
-  app.add_option("-o,--output", options.output, "The map that the coefficients stand for, in the layout of the input");
+  add_outputs(app, options.outputs, "The map that the coefficients stand for, in the layout of the input");
   app.add_flag("--json", options.json, "Print JSON");
   app.footer("Without -o prints l, m and the coefficients of R, G and B.");
   return [] { return run(options); };

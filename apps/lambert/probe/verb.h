@@ -1,12 +1,14 @@
 #pragma once
 /// What the verbs of `lambert probe` share.
 
+#include "../cli_fwd.h"
+#include "../work.h"
+
 #include "lambert/base/error.h"
 #include "lambert/image/probe/find_ball.h"
 #include "lambert/image/probe/layout.h"
 #include "lambert/image/probe/rotation.h"
 
-#include <CLI/App.hpp>
 #include <nlohmann/json_fwd.hpp>
 
 #include <functional>
@@ -31,6 +33,7 @@ struct ProbeInputOptions {
   std::string file;
   LayoutOptions layout;
   std::vector<float> reflectivity;
+  WorkOptions work;
 };
 void add_probe_input(CLI::App& app, ProbeInputOptions& o);
 
@@ -68,9 +71,11 @@ struct RotationOptions {
 void add_rotation_options(CLI::App& app, RotationOptions& o);
 Mat3 rotation_of(const RotationOptions& o);
 
-/// Writes the picture, or the six of `files`, and prints paths. Throws Error when "{}" stands in the name and should
-/// not, or the other way round.
-void write_probe(const std::string& file, probe::Probe probe, probe::Arrangement arrangement);
+/// Throws Error when one of them could not be written.
+void check_probes(const std::vector<std::string>& outputs);
+/// Writes the picture, or the six of files, to each of `outputs`, and prints paths. Throws Error when "{}" stands in a
+/// name and should not, or the other way round.
+void write_probe(const std::vector<std::string>& outputs, probe::Probe probe, probe::Arrangement arrangement);
 nlohmann::ordered_json json_of(Vec3 v);
 nlohmann::ordered_json json_of(Rgb c);
 /// Three finite numbers, or one that stands for all three. Throws Error naming the flag.

@@ -1,4 +1,6 @@
 #pragma once
+#include "../work.h"
+
 #include "lambert/image/tonemap/tonemap.h"
 
 #include <string>
@@ -14,6 +16,7 @@ struct TonemapOptions {
   float saturation = 1;
   bool montage = false, list = false, json = false;
   int columns = 0, tile_width = 400;
+  WorkOptions work;
 };
 
 /// Exposure, channels and saturation. Throws Error naming the flag and the word.

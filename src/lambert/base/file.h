@@ -21,13 +21,22 @@ class MappedFile {
   std::string_view text() const { return {reinterpret_cast<const char*>(data_), size_}; }
 
  private:
+  friend MappedFile open_input(const std::filesystem::path& path);
+  MappedFile() = default;
+  void map(int descriptor, const std::string& name);
   const std::byte* data_ = nullptr;
   std::size_t size_ = 0;
 };
 
+/// What a user names as an input: a file, or standard input by "-". That is read to its end when it is first asked for,
+/// into a nameless file of the folder for temporary ones unless it is a file already, and is the same each time. Throws
+/// Error as MappedFile does, and when there are more than 64 GB of it.
+MappedFile open_input(const std::filesystem::path& path);
+
 /// A file that appears at `path` whole or not at all: it is written at temporary(), beside it, and renamed by commit();
-/// without that the destructor removes it. A symbolic link stays, its target is written. The constructor and commit()
-/// throw Error naming `path` when it cannot be written, as when it is a folder or a device.
+/// without that the destructor removes it. A symbolic link stays, its target is written. Of standard output
+/// (is_standard_stream()) the temporary lies in the folder for such files and is copied out by commit(). The
+/// constructor and commit() throw Error naming `path` when it cannot be written, as when it is a folder or a device.
 class AtomicFile {
  public:
   explicit AtomicFile(const std::filesystem::path& path);
@@ -47,6 +56,10 @@ void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path&)>& write);
 void write_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_atomically(const std::filesystem::path& path, std::string_view text);
+
+/// For a process that ends before its time, which it must do now: removes what AtomicFile has not committed, and lets
+/// no other begin. True when some file was committed before.
+bool abandon_files();
 
 /// Throws the Error that write_atomically would, as far as that can be known before: a file is made beside `path` and
 /// removed.

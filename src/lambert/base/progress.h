@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <functional>
 
 namespace lambert {
@@ -15,5 +16,14 @@ struct Progress {
 
 /// Called now and then by long works, always from one thread at a time.
 using ProgressSink = std::function<void(const Progress&)>;
+
+/// The same of works that tell only the fraction done, in [0, 1], which does not fall. May be empty.
+using FractionSink = std::function<void(double)>;
+
+/// What the part of a work from fraction `begin` to `end` tells; empty where `whole` is.
+FractionSink part_of(const FractionSink& whole, double begin, double end);
+
+/// parallel_for() (parallel.h) that tells `progress` the share of the bodies that are done, a hundred times at most.
+void parallel_for(std::size_t count, const FractionSink& progress, const std::function<void(std::size_t)>& body);
 
 }  // namespace lambert

@@ -4,11 +4,14 @@
 #include "lambert/base/file.h"
 #include "lambert/base/number.h"
 #include "lambert/base/parallel.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/colour.h"
 #include "lambert/image/formats/codecs.h"
 #include "lambert/image/formats/exif.h"
 #include "lambert/image/formats/orientation.h"
+#include "lambert/image/stream.h"
 
+#include <unistd.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,9 +49,8 @@ const std::vector<Format>& formats() {
 }
 
 const Format& format_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::string extension = format_extension(path);
+  if (extension.empty() && is_standard_stream(path)) extension = ".exr";
   for (const Format& f : formats())
     if (std::find(f.extensions.begin(), f.extensions.end(), extension) != f.extensions.end()) return f;
   throw Error(path.string() + ": unknown image format " + unknown_word(extension, image_extensions()));
@@ -78,6 +80,7 @@ TexelDecoder display_decoder(Bytes data) {
   if (is_webp(data)) return decode_webp;
   return nullptr;
 }
+bool is_image(Bytes data) { return radiance_decoder(data) || display_decoder(data); }
 [[noreturn]] void unknown_kind(const std::string& name) {
   decode_error(name, "is none of the known image formats (EXR, HDR, PFM, PNG, JPEG, TIFF, WebP)");
 }
@@ -265,17 +268,26 @@ bool is_exr(Bytes data) { return starts_with(data, "\x76\x2f\x31\x01"); }
 bool writes_exr(const std::filesystem::path& path) { return format_of(path).encode == encode_exr; }
 
 Image read_image(const std::filesystem::path& path) {
-  const MappedFile file(path);
-  return decode_image(file.bytes(), path.string());
+  const MappedFile file = open_input(path);
+  return decode_image(file.bytes(), input_name(path));
 }
 
 bool is_image_file(const std::filesystem::path& path) {
+  if (path == "-") {
+    const MappedFile file = open_input(path);
+    return is_image(file.bytes());
+  }
   std::array<char, 16> start{};
   std::ifstream in(path, std::ios::binary);
   in.read(start.data(), start.size());
-  const Bytes bytes =
-      std::as_bytes(std::span(start)).first(static_cast<std::size_t>(std::max<std::streamsize>(0, in.gcount())));
-  return radiance_decoder(bytes) || display_decoder(bytes);
+  return is_image(
+      std::as_bytes(std::span(start)).first(static_cast<std::size_t>(std::max<std::streamsize>(0, in.gcount()))));
+}
+
+bool is_radiance_file(const std::filesystem::path& path) {
+  const MappedFile file = open_input(path);
+  if (!is_image(file.bytes())) unknown_kind(input_name(path));
+  return radiance_decoder(file.bytes()) != nullptr;
 }
 
 Image decode_image(Bytes data, const std::string& name) {
@@ -361,34 +373,48 @@ void check_write_options(const std::filesystem::path& path, const WriteOptions& 
     chosen_depth(format, options.depth);
     if (options.quality && (*options.quality < 1 || *options.quality > 100))
       throw Error("a quality is from 1 to 100, not " + std::to_string(*options.quality));
+    if (is_standard_stream(path) && ::isatty(standard_output()))
+      throw Error("is a terminal, which shows no image: expected a pipe or a file behind '>'");
   } catch (const Error&) {
-    rethrow_named(path.string());
+    rethrow_named(output_name(path));
   }
 }
+
+namespace {
+
+std::vector<std::byte> encoded(const Image& image, const Format& format, const WriteOptions& options) {
+  if (image.empty()) throw Error("an image without pixels cannot be written");
+  const bool cropped = !format.windows && image.data_window() != image.display_window();
+  const Image shown = cropped ? displayed(image) : Image();
+  const Image& written = cropped ? shown : image;
+  return format.encode
+             ? format.encode(written, options)
+             : format.encode_display(to_display(written, format, chosen_depth(format, options.depth)), options);
+}
+
+}  // namespace
 
 std::vector<std::byte> encode_image(const std::filesystem::path& path, const Image& image,
                                     const WriteOptions& options) {
   check_write_options(path, options);
-  const Format& format = format_of(path);
   try {
-    if (image.empty()) throw Error("an image without pixels cannot be written");
-    const bool cropped = !format.windows && image.data_window() != image.display_window();
-    const Image shown = cropped ? displayed(image) : Image();
-    const Image& written = cropped ? shown : image;
-    return format.encode
-               ? format.encode(written, options)
-               : format.encode_display(to_display(written, format, chosen_depth(format, options.depth)), options);
+    return encoded(image, format_of(path), options);
   } catch (const std::exception&) {
-    rethrow_named(path.string());
+    rethrow_named(output_name(path));
   }
 }
 
 void write_image(const std::filesystem::path& path, const Image& image, const WriteOptions& options) {
-  const std::vector<std::byte> bytes = encode_image(path, image, options);
+  check_write_options(path, options);
+  const Format& format = format_of(path);
   try {
-    write_atomically(path, bytes);
+    if (format.encode != encode_exr || image.empty()) return write_atomically(path, encoded(image, format, options));
+    // Block by block: the whole file would be as much memory again.
+    ImageWriter writer(path, header_of(image), options);
+    writer.write(image.pixels());
+    writer.close();
   } catch (const std::exception&) {
-    rethrow_named(path.string());
+    rethrow_named(output_name(path));
   }
 }
 

@@ -16,15 +16,17 @@
 
 namespace lambert {
 
-/// Reads any known format; its kind is found by its first bytes, not by its name. OpenEXR files keep their windows
-/// (Image::data_window()): use displayed() for what is shown. Photographs are turned as their Exif data say. Throws
-/// Error naming file and offset.
+/// Reads any known format; its kind is found by its first bytes, not by its name. "-" is standard input. OpenEXR files
+/// keep their windows (Image::data_window()): use displayed() for what is shown. Photographs are turned as their Exif
+/// data say. Throws Error naming file and offset.
 Image read_image(const std::filesystem::path& path);
 /// The same of bytes in memory; `name` is used in errors.
 Image decode_image(std::span<const std::byte> data, const std::string& name);
 
 /// True when the first bytes are those of a known format; false also when there is no such file.
 bool is_image_file(const std::filesystem::path& path);
+/// True when they are those of a format that holds unbounded linear light. Throws Error unless it is a known one.
+bool is_radiance_file(const std::filesystem::path& path);
 
 /// How numbers are stored. `automatic`: `.exr` half, but full floats for Z, position, ids, counts and variances, and
 /// for all where the image holds more than a half can (65504) or was read, in bands, from full floats;
@@ -45,7 +47,8 @@ Compression parse_compression(std::string_view word);
 std::vector<std::string> depth_words();
 std::vector<std::string> compression_words();
 
-/// Writes by extension, whole or not at all. Formats without windows get displayed(). Display formats clip to [0,1]
+/// Writes by extension, whole or not at all; to standard output by the names "png:-", "exr:-" …, or "-" for OpenEXR,
+/// unless that is a terminal. Formats without windows get displayed(). Display formats clip to [0,1]
 /// after the sRGB curve, but for `.tif` of full floats, which is linear and not clipped; `.exr` keeps all channels,
 /// windows and attributes. Throws Error naming the path, also when the format has not the depth asked for.
 void write_image(const std::filesystem::path& path, const Image& image, const WriteOptions& options = {});
@@ -58,6 +61,8 @@ void check_write_options(const std::filesystem::path& path, const WriteOptions& 
 
 /// True for formats that hold unbounded linear light. Throws Error with the known extensions for an unknown one.
 bool is_radiance_format(const std::filesystem::path& path);
+/// True for OpenEXR, which alone keeps layers and windows. Throws likewise.
+bool writes_exr(const std::filesystem::path& path);
 std::vector<std::string> image_extensions();
 
 /// Texels as files store them, for textures: 8-bit data stays 8-bit, and is not decoded from sRGB.

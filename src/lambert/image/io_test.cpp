@@ -128,6 +128,10 @@ TEST(ImageIo, TheKindIsFoundByContent) {
   write_image(folder.path() / "a.png", noise(3, 2, rgb_channels()));
   fs::rename(folder.path() / "a.png", folder.path() / "a.exr");
   EXPECT_EQ(read_image(folder.path() / "a.exr").width(), 3);
+  EXPECT_FALSE(is_radiance_file(folder.path() / "a.exr"));
+  write_image(folder.path() / "b.pfm", noise(3, 2, rgb_channels()));
+  EXPECT_TRUE(is_radiance_file(folder.path() / "b.pfm"));
+  EXPECT_THROW(is_radiance_file(folder.path() / "none.pfm"), Error);
 }
 
 TEST(ImageIo, TexelsAreTheColourOfTheLayers) {
@@ -189,6 +193,16 @@ TEST(ImageIo, RadianceFormats) {
 }
 
 // Files of other programs; nothing among them is damaged.
+TEST(ImageIo, StandardOutputHasTheFormatInFront) {
+  EXPECT_TRUE(is_radiance_format("-"));
+  EXPECT_TRUE(writes_exr("-"));
+  EXPECT_TRUE(is_radiance_format("PFM:-"));
+  EXPECT_FALSE(writes_exr("pfm:-"));
+  EXPECT_FALSE(is_radiance_format("png:-"));
+  EXPECT_THROW(is_radiance_format("bmp:-"), Error);
+  EXPECT_THROW(is_radiance_format("./-"), Error);
+}
+
 TEST(ImageIo, ReadsFilesOfOtherPrograms) {
   const fs::path data = LAMBERT_SHARED_DATA;
   int files = 0;

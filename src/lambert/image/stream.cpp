@@ -2,12 +2,15 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/formats/codecs.h"
 #include "lambert/image/formats/exr_reader.h"
 #include "lambert/image/formats/exr_writer.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -15,7 +18,17 @@ namespace lambert {
 
 namespace {
 
-bool exceeds_half(float v) { return std::abs(v) > 65504 && std::isfinite(v); }
+/// Magnitudes are in the order of their bits; infinities and NaN come last.
+bool some_exceed_half(std::span<const float> values) {
+  constexpr auto most = std::bit_cast<std::uint32_t>(65504.0f),
+                 infinity = std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity());
+  std::uint32_t some = 0;
+  for (const float v : values) {
+    const std::uint32_t magnitude = std::bit_cast<std::uint32_t>(v) & 0x7fffffff;
+    some |= static_cast<std::uint32_t>((magnitude > most) & (magnitude < infinity));
+  }
+  return some != 0;
+}
 
 }  // namespace
 
@@ -25,7 +38,7 @@ ImageHeader header_of(const Image& image) {
           .channels = image.channels(),
           .metadata = image.metadata,
           .attributes = image.attributes,
-          .full_floats = std::ranges::any_of(image.pixels(), exceeds_half)};
+          .full_floats = some_exceed_half(image.pixels())};
 }
 
 Image image_of(const ImageHeader& header) {
@@ -37,7 +50,7 @@ Image image_of(const ImageHeader& header) {
 }
 
 struct ImageReader::State {
-  std::filesystem::path path;
+  std::string name;  // in errors
   std::optional<MappedFile> file;
   std::optional<ExrReader> exr;
   // Of formats that are not read in bands:
@@ -46,13 +59,13 @@ struct ImageReader::State {
 };
 
 ImageReader::ImageReader(const std::filesystem::path& path) : state_(std::make_unique<State>()) {
-  state_->path = path;
-  state_->file.emplace(path);
+  state_->name = input_name(path);
+  state_->file.emplace(open_input(path));
   if (is_exr(state_->file->bytes())) {
-    state_->exr.emplace(state_->file->bytes(), path.string());
+    state_->exr.emplace(state_->file->bytes(), state_->name);
     return;
   }
-  state_->whole = read_image(path);
+  state_->whole = decode_image(state_->file->bytes(), state_->name);
   state_->header = header_of(state_->whole);
   state_->file.reset();
 }
@@ -65,7 +78,7 @@ const ImageHeader& ImageReader::header() const { return state_->exr ? state_->ex
 void ImageReader::read(int y0, int y1, std::span<float> to) {
   const ImageHeader& h = header();
   if (y0 < 0 || y1 < y0 || y1 > h.data.height || to.size() != static_cast<std::size_t>(y1 - y0) * h.row_size())
-    throw Error(state_->path.string() + ": has no rows " + std::to_string(y0) + " to " + std::to_string(y1));
+    throw Error(state_->name + ": has no rows " + std::to_string(y0) + " to " + std::to_string(y1));
   if (state_->exr)
     state_->exr->read(y0, y1, to.data());
   else
@@ -104,7 +117,7 @@ ImageWriter::ImageWriter(const std::filesystem::path& path, ImageHeader header, 
       state_->whole = image_of(header);
     }
   } catch (const std::exception&) {
-    rethrow_named(path.string());
+    rethrow_named(output_name(path));
   }
   state_->header = std::move(header);
 }
@@ -118,7 +131,7 @@ int ImageWriter::rows_written() const { return state_->rows; }
 void ImageWriter::write(std::span<const float> rows) {
   const std::size_t size = header().row_size(), count = rows.size() / size;
   if (rows.size() % size != 0 || count > static_cast<std::size_t>(header().data.height - state_->rows))
-    throw Error(state_->path.string() + ": more rows than the header says");
+    throw Error(output_name(state_->path) + ": more rows than the header says");
   try {
     if (state_->exr)
       state_->exr->write(rows);
@@ -126,14 +139,14 @@ void ImageWriter::write(std::span<const float> rows) {
       std::ranges::copy(
           rows, state_->whole.pixels().subspan(static_cast<std::size_t>(state_->rows) * size, rows.size()).begin());
   } catch (const std::exception&) {
-    rethrow_named(state_->path.string());
+    rethrow_named(output_name(state_->path));
   }
   state_->rows += static_cast<int>(count);
 }
 
 void ImageWriter::close() {
   if (state_->rows != header().data.height)
-    throw Error(state_->path.string() + ": has " + std::to_string(state_->rows) + " of " +
+    throw Error(output_name(state_->path) + ": has " + std::to_string(state_->rows) + " of " +
                 std::to_string(header().data.height) + " rows");
   if (!state_->exr) return write_image(state_->path, state_->whole, state_->options);
   try {
@@ -141,7 +154,7 @@ void ImageWriter::close() {
     state_->exr.reset();
     state_->file->commit();
   } catch (const std::exception&) {
-    rethrow_named(state_->path.string());
+    rethrow_named(output_name(state_->path));
   }
 }
 

@@ -1,9 +1,11 @@
 #include "lambert/formats/pbrt/infinite_light.h"
 
+#include "lambert/base/file.h"
 #include "lambert/formats/pbrt/spectra.h"
 #include "lambert/image/io.h"
 #include "lambert/image/probe/octahedral.h"
 
+#include <filesystem>
 #include <utility>
 
 namespace lambert::pbrt {
@@ -36,7 +38,10 @@ void check_finite(const ParameterList& list, const Image& image, const std::stri
 
 EnvironmentLight image_light(const Context& context, const ParameterList& list, const GraphicsState& state,
                              const std::string& filename) {
-  Image image = at_directive(list, [&] { return displayed(read_image(context.resolve(filename))); });
+  Image image = at_directive(list, [&] {
+    const std::filesystem::path path = context.resolve(filename);
+    return displayed(decode_image(MappedFile(path).bytes(), path.string()));  // never standard input
+  });
   check_finite(list, image, filename);
   const bool equal_area = image.width() == image.height();
   if (!equal_area) context.notes.add("an infinite light's image is not square: read as latitude and longitude, +y up");

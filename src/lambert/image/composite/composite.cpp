@@ -99,8 +99,7 @@ CompositeReport run(Job& job, const CompositeSettings& settings, BandPool& pool,
 CompositeReport composite_to_files(const Expression& expression, const std::vector<std::filesystem::path>& outputs,
                                    const WriteOptions& options, const CompositeSettings& settings) {
   Pictures pictures;
-  const bool extras =
-      std::any_of(outputs.begin(), outputs.end(), [](const auto& p) { return p.extension() == ".exr"; });
+  const bool extras = std::any_of(outputs.begin(), outputs.end(), [](const auto& path) { return writes_exr(path); });
   Job job = prepare(expression, extras, pictures, settings);
   std::vector<ImageWriter> writers;
   for (const std::filesystem::path& path : outputs) writers.emplace_back(path, job.header, options);

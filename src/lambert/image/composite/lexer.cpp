@@ -25,7 +25,9 @@ bool parse_number(std::string_view word, double& number) {
 
 }  // namespace
 
-bool looks_like_file(std::string_view word) { return word.find_first_of("./#%") != std::string_view::npos; }
+bool looks_like_file(std::string_view word) {
+  return word == "-" || word.find_first_of("./#%") != std::string_view::npos;
+}
 
 bool is_bare(std::string_view word) {
   double number = 0;

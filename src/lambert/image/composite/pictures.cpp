@@ -14,7 +14,7 @@ namespace {
 
 bool is_exr(const std::string& file) {
   constexpr std::string_view magic = "\x76\x2f\x31\x01";
-  return MappedFile(file).text().starts_with(magic);
+  return open_input(file).text().starts_with(magic);
 }
 
 std::size_t bytes_of(const ImageHeader& h) {

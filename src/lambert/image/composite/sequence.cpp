@@ -104,7 +104,7 @@ void check_files(const Expression& expression, const std::vector<int>& frames) {
   for (const int frame : frames)
     for (const FileAt& f : files_at(expression, frame)) {
       std::error_code ignored;
-      if (std::filesystem::exists(f.file, ignored)) continue;
+      if (f.file == "-" || std::filesystem::exists(f.file, ignored)) continue;
       const bool one_of_many = has_frame_pattern(f.pattern);
       throw Error(f.file + ": there is no such file" +
                   (one_of_many ? " (" + f.pattern + " at frame " + std::to_string(frame) + ")" : ""));

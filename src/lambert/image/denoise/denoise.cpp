@@ -35,9 +35,9 @@ Colour filtered(const Image& image, const DenoiseSettings& settings, DenoiseMeth
     scale(*variance, 1 / unit);
     scale(*variance, 1 / unit);
   }
-  Colour result = method == DenoiseMethod::nlm         ? denoise_nlm(noisy, settings.nlm)
+  Colour result = method == DenoiseMethod::nlm         ? denoise_nlm(noisy, settings.nlm, settings.progress)
                   : method == DenoiseMethod::bilateral ? denoise_bilateral(noisy, settings.bilateral)
-                                                       : denoise_nfor(noisy, settings.nfor);
+                                                       : denoise_nfor(noisy, settings.nfor, settings.progress);
   scale(result, unit);
   return result;
 }

@@ -2,6 +2,7 @@
 /// Removes the noise of rendered images, guided by what the renderer knows of each pixel. Nothing is learned from other
 /// pictures.
 
+#include "lambert/base/progress.h"
 #include "lambert/image/denoise/bilateral.h"
 #include "lambert/image/denoise/nfor.h"
 #include "lambert/image/denoise/nlm.h"
@@ -31,6 +32,7 @@ struct DenoiseSettings {
   denoise::BilateralSettings bilateral;
   std::string oidn_library;  ///< path; empty: as the system finds it
   bool keep_layers = false;  ///< the layers "denoising.…" stay
+  FractionSink progress = {};
 };
 
 /// The image with its colour denoised, as R, G, B (or Y), and its other channels as they are, those named "denoising.…"

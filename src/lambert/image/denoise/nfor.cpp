@@ -54,7 +54,7 @@ Plane blend(const Errors& e, int radius) {
 
 }  // namespace
 
-Colour denoise_nfor(const NoisyImage& image, const NforSettings& settings) {
+Colour denoise_nfor(const NoisyImage& image, const NforSettings& settings, const FractionSink& progress) {
   const std::vector<Guide> guides = filter_guides(image.guides, settings.feature_window_radius);
   std::vector<Plane> features;
   for (const Guide& guide : guides) features.insert(features.end(), guide.mean.begin(), guide.mean.end());
@@ -71,7 +71,8 @@ Colour denoise_nfor(const NoisyImage& image, const NforSettings& settings) {
 
   std::array<Candidates, 2> by_half;
   for (std::size_t half = 0; half < 2; ++half)
-    by_half[half] = regress(halves[half], halves[1 - half], variance, features, settings.regression);
+    by_half[half] = regress(halves[half], halves[1 - half], variance, features, settings.regression,
+                            part_of(progress, half == 0 ? 0.1 : 0.55, half == 0 ? 0.55 : 1));
   const Halves wide{by_half[0][0], by_half[1][0]}, narrow{by_half[0][1], by_half[1][1]};
   const Plane share = blend(errors_of(wide, narrow, halves, variance, settings.blend_radius), settings.blend_radius);
   Colour result = black(image.width, image.height);

@@ -24,6 +24,6 @@ struct NforSettings {
 ///      fiftieth of Var B in the denominator: about what errors averaged over 9x9 pixels leave of it. The shares are
 ///      smoothed.
 /// The light that the file tells apart as emission is filtered by itself and added.
-Colour denoise_nfor(const NoisyImage& image, const NforSettings& settings = {});
+Colour denoise_nfor(const NoisyImage& image, const NforSettings& settings = {}, const FractionSink& progress = {});
 
 }  // namespace lambert::denoise

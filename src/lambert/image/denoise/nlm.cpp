@@ -21,14 +21,15 @@ bool is_noisy(std::span<const Plane> variances, Tile tile) {
 }  // namespace
 
 std::vector<Plane> nl_means(std::span<const Plane> planes, std::span<const Plane> guides,
-                            std::span<const Plane> variances, const NlmSettings& settings) {
+                            std::span<const Plane> variances, const NlmSettings& settings,
+                            const FractionSink& progress) {
   const int width = planes[0].width(), height = planes[0].height(), radius = settings.window_radius;
   const PatchGuide guide(guides, variances, radius, settings.patch_radius);
   std::vector<PaddedPlane> padded;
   for (const Plane& plane : planes) padded.emplace_back(plane, radius + tile_size);
   std::vector<Plane> result(planes.begin(), planes.end());
   const std::vector<Tile> tiles = tiles_of(width, height);
-  parallel_for(tiles.size(), [&](std::size_t i) {
+  parallel_for(tiles.size(), progress, [&](std::size_t i) {
     const Tile tile = tiles[i];
     if (!is_noisy(variances, tile)) return;
     const auto weights =
@@ -58,13 +59,15 @@ std::vector<Plane> nl_means(std::span<const Plane> planes, std::span<const Plane
   return result;
 }
 
-Colour denoise_nlm(const NoisyImage& image, const NlmSettings& settings) {
+Colour denoise_nlm(const NoisyImage& image, const NlmSettings& settings, const FractionSink& progress) {
   Colour variance = image.variance;  // of one half
   for (Plane& plane : variance)
     for (float& v : plane.values()) v *= 2;
   Colour result = black(image.width, image.height);
   for (std::size_t half = 0; half < 2; ++half) {
-    const std::vector<Plane> filtered = nl_means(image.halves[half], image.halves[1 - half], variance, settings);
+    const std::vector<Plane> filtered =
+        nl_means(image.halves[half], image.halves[1 - half], variance, settings,
+                 part_of(progress, 0.5 * static_cast<double>(half), 0.5 * static_cast<double>(half + 1)));
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t i = 0; i < filtered[c].values().size(); ++i)
         result[c].values()[i] += 0.5f * filtered[c].values()[i];

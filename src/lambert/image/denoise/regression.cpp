@@ -110,7 +110,7 @@ class TileRegression {
   void run(Tile tile, const PatchGuide& guide, std::span<const PaddedPlane> colour,
            std::span<const PaddedPlane> features) {
     const int radius = settings_.window_radius;
-    TileWeights by_patches(guide, tile, row_step, settings_.patch_radius, 1);
+    TileWeights by_patches(guide, tile, row_step, settings_.patch_radius, 1 / (settings_.k * settings_.k));
     float* to = weights_.data();
     for (int dy = -radius; dy <= radius; ++dy)
       for (int dx = -radius; dx <= radius; ++dx) {
@@ -146,7 +146,7 @@ class TileRegression {
       const std::size_t offset = static_cast<std::size_t>((dy + radius) * across + s);
       const Lanes w = load(weights_.data() + (offset * window_rows + static_cast<std::size_t>(j)) * lane_count);
       w_[0][at] = w;
-      w_[1][at] = w * w;
+      w_[1][at] = w * w * (w * w);
       f_[0][at] = all(1);
       f_[1][at] = all(static_cast<float>(dx) / static_cast<float>(radius));
       f_[2][at] = all(static_cast<float>(dy) / static_cast<float>(radius));
@@ -252,7 +252,7 @@ void add(Sums& to, Told& told, Tile tile, int radius) {
 }  // namespace
 
 Candidates regress(const Colour& colour, const Colour& guide, const Colour& variance, std::span<const Plane> features,
-                   const RegressionSettings& settings) {
+                   const RegressionSettings& settings, const FractionSink& progress) {
   const int width = colour[0].width(), height = colour[0].height(), radius = settings.window_radius;
   const PatchGuide patches(guide, variance, radius, settings.patch_radius, colour_axes(guide, 2, settings.colour));
   std::vector<PaddedPlane> colours, guides;
@@ -272,14 +272,15 @@ Candidates regress(const Colour& colour, const Colour& guide, const Colour& vari
   for (int phase = 0; phase < 4; ++phase) {
     const int first_column = phase % 2, first_row = phase / 2;
     const int across = (columns - first_column + 1) / 2, down = (rows - first_row + 1) / 2;
-    parallel_for(static_cast<std::size_t>(across * down), [&](std::size_t i) {
-      const int column = first_column + 2 * (static_cast<int>(i) % across);
-      const int row = first_row + 2 * (static_cast<int>(i) / across);
-      const Tile tile{column * tile_size, row * tile_size};
-      const auto work = std::make_unique<TileRegression>(settings, features.size(), least);
-      work->run(tile, patches, colours, guides);
-      for (std::size_t k = 0; k < candidate_count; ++k) add(sums[k], work->told(k), tile, radius);
-    });
+    parallel_for(static_cast<std::size_t>(across * down), part_of(progress, 0.25 * phase, 0.25 * (phase + 1)),
+                 [&](std::size_t i) {
+                   const int column = first_column + 2 * (static_cast<int>(i) % across);
+                   const int row = first_row + 2 * (static_cast<int>(i) / across);
+                   const Tile tile{column * tile_size, row * tile_size};
+                   const auto work = std::make_unique<TileRegression>(settings, features.size(), least);
+                   work->run(tile, patches, colours, guides);
+                   for (std::size_t k = 0; k < candidate_count; ++k) add(sums[k], work->told(k), tile, radius);
+                 });
   }
   Candidates result;
   for (std::size_t k = 0; k < candidate_count; ++k) {

@@ -49,8 +49,9 @@ Image resized(const Image& image, int width, int height, const ResizeSettings& s
     throw Error("an image cannot be resized to " + std::to_string(width) + "x" + std::to_string(height));
   const Scaled x = scaled({data.x, data.width, display.x, display.width}, width);
   const Scaled y = scaled({data.y, data.height, display.y, display.height}, height);
-  Image out = separably_filtered(image, taps_along(Kernel(settings.filter, Kernel::Axis::x), x.map, settings.edge),
-                                 taps_along(Kernel(settings.filter, Kernel::Axis::y), y.map, settings.edge));
+  Image out =
+      separably_filtered(image, taps_along(Kernel(settings.filter, Kernel::Axis::x), x.map, settings.edge),
+                         taps_along(Kernel(settings.filter, Kernel::Axis::y), y.map, settings.edge), settings.progress);
   out.place({x.to.data_begin, y.to.data_begin}, {x.to.display_begin, y.to.display_begin, width, height});
   return out;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "lambert/base/progress.h"
 #include "lambert/image/filter/edge_mode.h"
 #include "lambert/image/filter/kernel.h"
 #include "lambert/image/image.h"
@@ -9,6 +10,7 @@ struct ResizeSettings {
   /// Its radius counts pixels of the coarser of both grids, at most 64.
   FilterSettings filter{.kind = FilterKind::mitchell};
   EdgeMode edge = EdgeMode::clamp;  ///< what stands around the data window
+  FractionSink progress = {};
 };
 
 /// The image with a display window of `width` × `height`; the data window is scaled with it, outwards to whole pixels.

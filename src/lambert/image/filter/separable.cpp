@@ -113,13 +113,13 @@ void filter_tile(const Image& in, const Taps& columns, const Taps& rows, const T
 
 }  // namespace
 
-Image separably_filtered(const Image& image, const Taps& columns, const Taps& rows) {
+Image separably_filtered(const Image& image, const Taps& columns, const Taps& rows, const FractionSink& progress) {
   assert(!image.empty());
   Image out(static_cast<int>(columns.size()), static_cast<int>(rows.size()), image.channels());
   out.metadata = image.metadata;
   const std::vector<Tile> tiles = tiles_of(columns, image.width(), image.channel_count());
   const std::size_t bundles = (rows.size() + lane_count - 1) / lane_count;
-  parallel_for(bundles * tiles.size(), [&](std::size_t i) {
+  parallel_for(bundles * tiles.size(), progress, [&](std::size_t i) {
     filter_tile(image, columns, rows, tiles[i % tiles.size()], i / tiles.size() * lane_count, out);
   });
   return out;

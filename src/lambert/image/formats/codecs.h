@@ -9,7 +9,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <span>
@@ -57,7 +56,6 @@ std::vector<std::byte> encode_tiff(const DisplayImage& image, const WriteOptions
 std::vector<std::byte> encode_webp(const DisplayImage& image, const WriteOptions& options = {});
 
 bool is_exr(Bytes data);
-bool writes_exr(const std::filesystem::path& path);
 
 [[noreturn]] void decode_error(const std::string& name, const std::string& reason);
 /// In a handler: throws what is being handled as an Error "name: reason", of one line.

@@ -1,5 +1,6 @@
 #include "lambert/base/error.h"
 #include "lambert/image/formats/codecs.h"
+#include "lambert/image/formats/png_rows.h"
 
 #include <png.h>
 #include <zlib.h>
@@ -50,31 +51,49 @@ class Decoder {
     const png_uint_32 width = png_get_image_width(png_, info_), height = png_get_image_height(png_, info_);
     check_image_size(name, width, height, data.size(),
                      8192);  // deflate shrinks a thousandfold, and a byte may be 8 pixels
-    const int depth = png_get_bit_depth(png_, info_);
-    png_set_expand(png_);  // palettes, small depths and transparent colours
-    if (depth == 16) png_set_swap(png_);
-    const int passes = png_set_interlace_handling(png_);
-    png_read_update_info(png_, info_);
-
     Texels t;
-    t.width = static_cast<int>(width), t.height = static_cast<int>(height), t.channels = png_get_channels(png_, info_);
-    const std::size_t row_bytes = png_get_rowbytes(png_, info_);
-    std::vector<std::uint8_t> pixels(row_bytes * height);
-    for (int pass = 0; pass < passes; ++pass)
-      for (png_uint_32 y = 0; y < height; ++y) png_read_row(png_, pixels.data() + y * row_bytes, nullptr);
+    t.width = static_cast<int>(width), t.height = static_cast<int>(height);
+    std::optional<std::vector<std::uint8_t>> plain = plain_rows(in);
+    std::vector<std::uint8_t> pixels = plain ? std::move(*plain) : any_rows();
     png_read_end(png_, info_);
+    t.channels = png_get_channels(png_, info_);
     if (notes) read_notes(*notes);
-    if (depth < 16) {
+    if (png_get_bit_depth(png_, info_) < 16) {
       t.bytes = std::move(pixels);
       return t;
     }
     t.floats.resize(pixels.size() / 2);
-    for (std::size_t i = 0; i < t.floats.size(); ++i) {
-      std::uint16_t word;
-      std::memcpy(&word, pixels.data() + 2 * i, 2);
-      t.floats[i] = static_cast<float>(word) / 65535.0f;
-    }
+    for (std::size_t i = 0; i < t.floats.size(); ++i)
+      t.floats[i] = static_cast<float>(pixels[2 * i] << 8 | pixels[2 * i + 1]) / 65535.0f;
     return t;
+  }
+
+ private:
+  /// Without libpng, which goes on behind the image data: the common kinds, undamaged.
+  std::optional<std::vector<std::uint8_t>> plain_rows(Input& in) {
+    const unsigned depth = png_get_bit_depth(png_, info_);
+    if (depth < 8 || png_get_color_type(png_, info_) == PNG_COLOR_TYPE_PALETTE ||
+        png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE || png_get_valid(png_, info_, PNG_INFO_tRNS))
+      return std::nullopt;
+    constexpr std::size_t chunk_header = 8;  // read already
+    auto rows = png_rows(in.data, in.at - chunk_header, png_get_rowbytes(png_, info_),
+                         png_get_image_height(png_, info_), png_get_channels(png_, info_) * depth / 8);
+    if (!rows) return std::nullopt;
+    in.at = rows->end;
+    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, reinterpret_cast<png_const_bytep>("IDAT"), 1);
+    return std::move(rows->pixels);
+  }
+
+  /// Palettes, small depths and transparent colours are expanded.
+  std::vector<std::uint8_t> any_rows() {
+    png_set_expand(png_);
+    const int passes = png_set_interlace_handling(png_);
+    png_read_update_info(png_, info_);
+    const std::size_t row_bytes = png_get_rowbytes(png_, info_), height = png_get_image_height(png_, info_);
+    std::vector<std::uint8_t> pixels(row_bytes * height);
+    for (int pass = 0; pass < passes; ++pass)
+      for (std::size_t y = 0; y < height; ++y) png_read_row(png_, pixels.data() + y * row_bytes, nullptr);
+    return pixels;
   }
 
  private:

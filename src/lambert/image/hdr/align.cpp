@@ -116,14 +116,16 @@ std::vector<std::string> alignment_names() {
   return all;
 }
 
-std::vector<Motion> find_motions(const ExposureStack& stack, std::size_t reference, const AlignmentSettings& settings) {
+std::vector<Motion> find_motions(const ExposureStack& stack, std::size_t reference, const AlignmentSettings& settings,
+                                 const FractionSink& progress) {
   const std::size_t n = stack.frames.size();
   std::vector<Motion> motions(n);
   if (settings.kind == Alignment::none || n < 2) return motions;
   std::vector<std::vector<Grey>> greys(n);
-  parallel_for(n, [&](std::size_t j) { greys[j] = pyramid(grey_of(stack, j), 7); });
+  parallel_for(n, part_of(progress, 0, 0.5), [&](std::size_t j) { greys[j] = pyramid(grey_of(stack, j), 7); });
   std::vector<Motion> next(n - 1);  // from frame j to frame j + 1
-  parallel_for(n - 1, [&](std::size_t j) { next[j] = between(greys[j], greys[j + 1], settings); });
+  parallel_for(n - 1, part_of(progress, 0.5, 1),
+               [&](std::size_t j) { next[j] = between(greys[j], greys[j + 1], settings); });
   for (std::size_t j = reference; j + 1 < n; ++j) motions[j + 1] = then(motions[j], next[j]);
   for (std::size_t j = reference; j > 0; --j) motions[j - 1] = then(motions[j], inverse(next[j - 1]));
   return motions;

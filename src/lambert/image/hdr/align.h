@@ -38,7 +38,7 @@ struct AlignmentSettings {
 /// one photograph tells the codes of the other better with it: a shift by 2 %, a rotation or part of a pixel by another
 /// 5 %.
 std::vector<Motion> find_motions(const ExposureStack& stack, std::size_t reference,
-                                 const AlignmentSettings& settings = {});
+                                 const AlignmentSettings& settings = {}, const FractionSink& progress = {});
 
 /// Moves the frames back by their motions, and says in Frame::covered what they show. Whole shifts keep codes; others
 /// are bilinear between codes, the top code where one of the four is.

@@ -2,6 +2,7 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
+#include "lambert/base/lines.h"
 #include "lambert/base/number.h"
 
 #include <cmath>
@@ -78,22 +79,15 @@ double parse_exposure_time(std::string_view word, const std::string& what) {
 
 std::vector<ListedExposure> read_exposure_list(const std::filesystem::path& path) {
   const MappedFile file(path);
-  const std::string_view text = file.text();
   const bool hdrgen = path.extension() == ".hdrgen";
   std::vector<ListedExposure> list;
-  std::size_t line_number = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    std::string_view line = text.substr(at, end - at);
-    at = end + 1;
-    line = line.substr(0, line.find('#'));
-    const SourceLocation where{path.string(), ++line_number};
-    const std::vector<std::string_view> words = words_of(line);
-    if (words.empty()) continue;
-    ListedExposure e = parse_line(words, hdrgen, where);
+  for_lines(file.text(), [&](std::string_view line, std::size_t number) {
+    const std::vector<std::string_view> words = words_of(line.substr(0, line.find('#')));
+    if (words.empty()) return;
+    ListedExposure e = parse_line(words, hdrgen, {path.string(), number});
     if (e.file.is_relative()) e.file = path.parent_path() / e.file;
     list.push_back(std::move(e));
-  }
+  });
   if (list.empty()) throw Error(path.string() + ": lists no photographs");
   return list;
 }

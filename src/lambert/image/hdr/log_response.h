@@ -16,7 +16,7 @@ struct Knots {
   std::vector<std::uint16_t> below;  ///< by code, the knot at it or below it
   std::vector<float> fraction;       ///< by code, how far it is towards the next
   explicit Knots(int levels);
-  std::size_t count() const { return position.size(); }
+  static constexpr std::size_t count() { return 256; }
   double eval(const std::vector<double>& g, std::size_t code) const {
     const std::size_t k = below[code];
     const double f = static_cast<double>(fraction[code]);

@@ -22,10 +22,13 @@ constexpr Name names[] = {{"variance", Weighting::variance},
                           {"gaussian", Weighting::gaussian},
                           {"robertson", Weighting::robertson}};
 
+/// A weight u and u X; for a frame what its codes' are multiplied by.
+using Share = float __attribute__((vector_size(2 * sizeof(float))));
+
 /// What the codes of one channel count and mean; a frame's weight is u(code) exposure^power.
 struct ChannelTable {
-  std::vector<float> weight, weighted;  // u and u X
-  std::vector<float> rounding;          // variance of X that rounding to codes makes
+  std::vector<Share> shares;
+  std::vector<float> rounding;  // variance of X that rounding to codes makes
   const std::vector<float>* exposure = nullptr;
   UsableCodes usable;
 };
@@ -64,19 +67,19 @@ ChannelTable table_for(const ExposureStack& stack, const Response& response, std
     u[code] *= std::min(1.0, (usable.saturated - z) / (0.04 * top));
     largest = std::max(largest, u[code]);
   }
-  t.weight.resize(x.size()), t.weighted.resize(x.size());
+  t.shares.resize(x.size());
   for (std::size_t code = 0; code < x.size() && largest > 0; ++code) {
     const double w = u[code] / largest;
-    t.weight[code] = static_cast<float>(w), t.weighted[code] = static_cast<float>(w * static_cast<double>(x[code]));
+    t.shares[code] = Share{static_cast<float>(w), static_cast<float>(w * static_cast<double>(x[code]))};
   }
   return t;
 }
 
 double power_of(Weighting w) { return w == Weighting::variance || w == Weighting::robertson ? 2 : 0; }
 
-/// Of a frame's u and u X, and its exposure.
 struct Scale {
-  float weight, weighted, exposure;
+  Share share;
+  float exposure;
 };
 
 class Merger {
@@ -85,22 +88,19 @@ class Merger {
       : stack_(stack), settings_(settings), ghosts_(ghosts) {
     for (std::size_t c = 0; c < stack.channels; ++c) {
       const ChannelTable& t = tables_.emplace_back(table_for(stack, response, c, settings));
-      weights_.insert(weights_.end(), t.weight.begin(), t.weight.end());
-      weighted_.insert(weighted_.end(), t.weighted.begin(), t.weighted.end());
       // Far below saturation it is motion that makes a shorter exposure say more.
       const int top = t.usable.saturated, doubted = top - stack.levels / 4;
       const float most = 1.2f * (*t.exposure)[static_cast<std::size_t>(top)];
+      std::vector<float>& limits = limits_.emplace_back();
       for (int code = 0; code < stack.levels; ++code)
-        limits_.push_back(code >= doubted ? most : std::numeric_limits<float>::max());
+        limits.push_back(code >= doubted ? most : std::numeric_limits<float>::max());
       scattered_ |= t.usable.scattered;
     }
-    for (std::size_t i = 0; i < stack.row_size(); ++i)
-      offset_.push_back(static_cast<std::int32_t>(i % stack.channels) * stack.levels);
     const double power = power_of(settings.weights), longest = stack.frames.back().exposure;
     for (const Frame& frame : stack.frames) {
       const double relative = frame.exposure / longest;
       const double weight = std::pow(relative, power);
-      scale_.push_back({static_cast<float>(weight), static_cast<float>(weight / frame.exposure),
+      scale_.push_back({Share{static_cast<float>(weight), static_cast<float>(weight / frame.exposure)},
                         static_cast<float>(frame.exposure)});
     }
   }
@@ -122,18 +122,18 @@ class Merger {
     else
       add<false>(codes, weight.data(), out);
     Counts counts;
-    bool all = true;
-    for (const float w : weight) all &= w > 0;
-    if (all)
-      for (std::size_t i = 0; i < out.size(); ++i) out[i] /= weight[i];
-    else
-      for (std::size_t x = 0; x < out.size() / n; ++x) {
-        bool saturated = false, black = false;
-        for (std::size_t i = x * n, c = 0; c < n; ++i, ++c)
-          out[i] =
-              weight[i] > 0 ? out[i] / weight[i] : without_weight<Code>(static_cast<int>(x), y, c, saturated, black);
-        counts.saturated += saturated, counts.black += black && !saturated;
-      }
+    std::uint32_t without = 0;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const bool some = weight[i] > 0;
+      out[i] /= some ? weight[i] : 1;
+      without += !some;
+    }
+    for (std::size_t x = 0; without > 0 && x < out.size() / n; ++x) {
+      bool saturated = false, black = false;
+      for (std::size_t i = x * n, c = 0; c < n; ++i, ++c)
+        if (!(weight[i] > 0)) out[i] = without_weight<Code>(static_cast<int>(x), y, c, saturated, black);
+      counts.saturated += saturated, counts.black += black && !saturated;
+    }
     if (settings_.weights == Weighting::variance && settings_.noise.full_well > 0) refine(codes, out);
     return counts;
   }
@@ -143,32 +143,38 @@ class Merger {
   /// exposures say that it is saturated.
   template <bool doubting, class Code>
   void add(const std::vector<const Code*>& codes, float* weight, std::span<float> weighted) const {
-    std::size_t j = 0;
-    for (; j + 4 <= codes.size(); j += 4) add_frames<4, doubting>(&codes[j], &scale_[j], weight, weighted);
-    for (; j + 2 <= codes.size(); j += 2) add_frames<2, doubting>(&codes[j], &scale_[j], weight, weighted);
-    for (; j < codes.size(); ++j) add_frames<1, doubting>(&codes[j], &scale_[j], weight, weighted);
+    constexpr std::size_t most = 5;
+    for (std::size_t j = 0; j < codes.size(); j += most) switch (std::min(codes.size() - j, most)) {
+        case 1: add_frames<1, doubting>(&codes[j], &scale_[j], weight, weighted); break;
+        case 2: add_frames<2, doubting>(&codes[j], &scale_[j], weight, weighted); break;
+        case 3: add_frames<3, doubting>(&codes[j], &scale_[j], weight, weighted); break;
+        case 4: add_frames<4, doubting>(&codes[j], &scale_[j], weight, weighted); break;
+        default: add_frames<most, doubting>(&codes[j], &scale_[j], weight, weighted); break;
+      }
   }
 
-  /// Of `n` frames at a time: the sums are loaded and stored that many times less. `offset_` says where the entries of
-  /// each channel begin.
+  /// Of `n` frames at a time: the sums are loaded and stored that many times less.
   template <std::size_t n, bool doubting, class Code>
   void add_frames(const Code* const* codes, const Scale* scales, float* weight, std::span<float> weighted) const {
-    const float *u = weights_.data(), *ux = weighted_.data(), *limit = limits_.data();
-    const std::int32_t* offset = offset_.data();
     std::array<const Code*, n> code;
     std::array<Scale, n> scale;
     std::copy_n(codes, n, code.begin());
     std::copy_n(scales, n, scale.begin());
-    for (std::size_t i = 0; i < weighted.size(); ++i) {
-      float w = weight[i], wx = weighted[i];
-      for (std::size_t j = 0; j < n; ++j) {
-        const auto entry = static_cast<std::size_t>(code[j][i] + offset[i]);
-        float use = 1;
-        if constexpr (doubting) use = wx * scale[j].exposure > w * limit[entry] ? 0.0f : 1.0f;
-        w += use * scale[j].weight * u[entry];
-        wx += use * scale[j].weighted * ux[entry];
+    for (std::size_t c = 0; c < stack_.channels; ++c) {
+      const Share* const shares = tables_[c].shares.data();
+      const float* const limits = limits_[c].data();
+      for (std::size_t i = c; i < weighted.size(); i += stack_.channels) {
+        Share sum{weight[i], weighted[i]};
+        for (std::size_t j = 0; j < n; ++j) {
+          const std::size_t entry = code[j][i];
+          const Share share = scale[j].share * shares[entry];
+          if constexpr (doubting)
+            sum += sum[1] * scale[j].exposure > sum[0] * limits[entry] ? Share{} : share;
+          else
+            sum += share;
+        }
+        weight[i] = sum[0], weighted[i] = sum[1];
       }
-      weight[i] = w, weighted[i] = wx;
     }
   }
 
@@ -219,8 +225,8 @@ class Merger {
         for (std::size_t j = 0; j < codes.size(); ++j) {
           const std::size_t z = codes[j][i];
           const auto h = static_cast<float>(stack_.frames[j].exposure);
-          const bool doubted = scattered_ && out[i] * h > limits_[z + static_cast<std::size_t>(offset_[i])];
-          if (!(t.weight[z] > 0) || doubted) continue;
+          const bool doubted = scattered_ && out[i] * h > limits_[i % stack_.channels][z];
+          if (!(t.shares[z][0] > 0) || doubted) continue;
           const float near_top = std::min(1.0f, static_cast<float>(t.usable.saturated - static_cast<int>(z)) /
                                                     (0.04f * static_cast<float>(stack_.levels - 1)));
           const float w = near_top * h * h / (gain * out[i] * h + floor + t.rounding[z]);
@@ -234,11 +240,9 @@ class Merger {
   const MergeSettings& settings_;
   const GhostMasks& ghosts_;
   std::vector<ChannelTable> tables_;
-  std::vector<float> weights_, weighted_;  // of all channels, one behind the other
-  std::vector<float> limits_;              // exposures by shorter frames above which codes are those of saturation
+  std::vector<std::vector<float>> limits_;  // exposures by shorter frames above which codes are those of saturation
   bool scattered_ = false;
-  std::vector<std::int32_t> offset_;  // by place in a row
-  std::vector<Scale> scale_;          // by frame
+  std::vector<Scale> scale_;  // by frame
 };
 
 }  // namespace
@@ -265,7 +269,7 @@ Merged merge(const ExposureStack& stack, const Response& response, const MergeSe
   const Merger merger(stack, response, settings, ghosts);
   std::vector<Merger::Counts> counts(static_cast<std::size_t>(stack.height));
   stack.with_code_type([&]<class Code>(Code) {
-    parallel_for(counts.size(), [&](std::size_t y) {
+    parallel_for(counts.size(), settings.progress, [&](std::size_t y) {
       counts[y] = merger.row<Code>(static_cast<int>(y), merged.image.row(static_cast<int>(y)));
     });
   });

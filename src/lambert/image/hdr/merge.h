@@ -1,6 +1,7 @@
 #pragma once
 /// Photographs of known exposure and response to one map of radiance.
 
+#include "lambert/base/progress.h"
 #include "lambert/image/hdr/ghosts.h"
 #include "lambert/image/hdr/noise.h"
 #include "lambert/image/hdr/response.h"
@@ -28,6 +29,7 @@ struct MergeSettings {
   Weighting weights = Weighting::variance;
   CodeNoise code_noise;
   SensorNoise noise;  ///< with a full well, variances are those of the sensor, found in turns from the mean itself
+  FractionSink progress = {};
 };
 
 struct Merged {

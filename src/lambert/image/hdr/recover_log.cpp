@@ -147,7 +147,7 @@ std::vector<double> inverse_variances(const Samples& s, const Knots& knots, cons
 /// from pixels where the image is flat, so that its slope explains less of r than noise does.
 std::vector<double> renewed_noise(const Samples& s, const Knots& knots, const std::vector<double>& residual,
                                   const std::vector<double>& weights, const std::vector<double>& noise) {
-  std::vector<std::vector<double>> squares(noise_bins), all(noise_bins);
+  std::vector<std::vector<double>> squares(noise_bins), on_slopes(noise_bins);
   for (std::size_t i = 0; i < s.count(); ++i) {
     const std::size_t first = i * s.frames;
     double total = 0;
@@ -158,12 +158,12 @@ std::vector<double> renewed_noise(const Samples& s, const Knots& knots, const st
       if (!(w > 0) || w > 0.9 * total) continue;
       const std::size_t bin = bin_of(knots, s.codes[first + j]);
       const double square = residual[first + j] * residual[first + j] * w / (1 - w / total);
-      all[bin].push_back(square);
-      if (0.25 * static_cast<double>(s.slopes[first + j]) < 0.5 * noise[bin]) squares[bin].push_back(square);
+      const bool flat = 0.25 * static_cast<double>(s.slopes[first + j]) < 0.5 * noise[bin];
+      (flat ? squares : on_slopes)[bin].push_back(square);
     }
   }
   for (std::size_t b = 0; b < noise_bins; ++b)
-    if (squares[b].size() < 30) squares[b] = std::move(all[b]);
+    if (squares[b].size() < 30) squares[b].insert(squares[b].end(), on_slopes[b].begin(), on_slopes[b].end());
   constexpr double median_of_chi_square = 0.4549;
   std::vector<double> renewed(noise_bins, 0);
   for (std::size_t b = 0; b < noise_bins; ++b)

@@ -1,5 +1,6 @@
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
+#include "lambert/base/lines.h"
 #include "lambert/base/number.h"
 #include "lambert/image/hdr/response.h"
 
@@ -42,16 +43,12 @@ Row parse_row(std::string_view line, const SourceLocation& where, std::size_t& c
 
 std::vector<Row> read_rows(const std::filesystem::path& path) {
   const MappedFile file(path);
-  const std::string_view text = file.text();
   std::vector<Row> rows;
-  std::size_t line_number = 0, columns = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    std::string_view line = text.substr(at, end - at);
-    at = end + 1;
+  std::size_t columns = 0;
+  for_lines(file.text(), [&](std::string_view line, std::size_t number) {
     line = line.substr(0, line.find('#'));
-    const SourceLocation where{path.string(), ++line_number};
-    if (line.find_first_not_of(" \t\r,;") == std::string_view::npos) continue;
+    if (line.find_first_not_of(" \t\r,;") == std::string_view::npos) return;
+    const SourceLocation where{path.string(), number};
     const Row row = parse_row(line, where, columns);
     if (row.key < 0 || row.value[0] < 0 || row.value[1] < 0 || row.value[2] < 0)
       throw Error(where, "expected numbers of 0 or above");
@@ -60,7 +57,7 @@ std::vector<Row> read_rows(const std::filesystem::path& path) {
       if (row.value[c] < rows.back().value[c]) throw Error(where, "expected no column to fall");
     rows.push_back(row);
     if (rows.size() > 65536) throw Error(where, "expected at most 65536 rows");
-  }
+  });
   if (rows.size() < 2) throw Error(path.string() + ": expected at least two rows of a response");
   return rows;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <unordered_set>
@@ -70,20 +71,31 @@ float slope_at(const ExposureStack& stack, std::size_t frame, std::size_t channe
   return std::sqrt(dx * dx + dy * dy);
 }
 
+/// A sample is where `cells` says.
+struct Selection {
+  Samples samples;
+  std::vector<std::size_t> cells;
+};
+
 template <class Code>
-Samples select(const ExposureStack& stack, const Grid& grid, const std::vector<Code>& candidates, std::size_t channel) {
+Selection select(const ExposureStack& stack, const Grid& grid, const std::vector<Code>& candidates,
+                 std::size_t channel) {
   const std::size_t n = stack.frames.size();
-  Samples samples{.frames = n, .usable = usable_codes(stack, channel)};
+  Selection selection{.samples = {.frames = n, .usable = usable_codes(stack, channel)}};
+  Samples& samples = selection.samples;
   for (const Frame& frame : stack.frames) samples.log_exposures.push_back(std::log(frame.exposure));
   // A step prime to the number of cells visits them all, far apart one after the other.
   std::size_t step = static_cast<std::size_t>(0.618033988749895 * static_cast<double>(grid.count())) | 1;
   while (std::gcd(step, grid.count()) != 1) step += 2;
+  step %= grid.count();
   std::array<std::size_t, bins> taken{};
-  const std::size_t codes_per_bin = static_cast<std::size_t>(stack.levels) / bins;
-  std::unordered_set<std::uint64_t> seen;
+  constexpr std::size_t codes_per_bin = (std::size_t{std::numeric_limits<Code>::max()} + 1) / bins;
+  std::unordered_set<std::uint64_t> seen(grid.count());
   std::size_t cell = 0;
-  for (std::size_t i = 0; i < grid.count(); ++i, cell = (cell + step) % grid.count()) {
+  for (std::size_t i = 0; i < grid.count(); ++i) {
     const std::span<const Code> codes(candidates.data() + (cell * stack.channels + channel) * n, n);
+    const std::size_t here = cell;
+    if ((cell += step) >= grid.count()) cell -= grid.count();
     int usable = 0;
     bool rare = false;
     for (const Code code : codes) {
@@ -95,14 +107,36 @@ Samples select(const ExposureStack& stack, const Grid& grid, const std::vector<C
     std::uint64_t together = 0;
     for (const Code code : codes) together = hash_values(together, code);
     if (!seen.insert(together).second) continue;
-    const Vec2i at = grid.candidate(cell);
-    for (std::size_t j = 0; j < n; ++j) {
-      if (samples.usable.contains(codes[j])) ++taken[codes[j] / codes_per_bin];
-      samples.codes.push_back(codes[j]);
-      samples.slopes.push_back(slope_at<Code>(stack, j, channel, at));
+    selection.cells.push_back(here);
+    for (const Code code : codes) {
+      if (samples.usable.contains(code)) ++taken[code / codes_per_bin];
+      samples.codes.push_back(code);
     }
   }
-  return samples;
+  return selection;
+}
+
+/// In the order of the image, as that of the selection would wait for memory at each sample.
+template <class Code>
+void find_slopes(const ExposureStack& stack, const Grid& grid, std::vector<Selection>& selections) {
+  constexpr std::uint32_t none = ~std::uint32_t{0};
+  std::vector<std::uint32_t> sample_of(grid.count() * stack.channels, none);
+  for (std::size_t c = 0; c < stack.channels; ++c) {
+    const std::vector<std::size_t>& cells = selections[c].cells;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      sample_of[cells[i] * stack.channels + c] = static_cast<std::uint32_t>(i);
+    selections[c].samples.slopes.resize(selections[c].samples.codes.size());
+  }
+  parallel_for(static_cast<std::size_t>(grid.rows), [&](std::size_t row) {
+    const auto columns = static_cast<std::size_t>(grid.columns);
+    for (std::size_t cell = row * columns; cell < (row + 1) * columns; ++cell)
+      for (std::size_t c = 0; c < stack.channels; ++c) {
+        const std::size_t i = sample_of[cell * stack.channels + c];
+        if (i == none) continue;
+        for (std::size_t j = 0; j < stack.frames.size(); ++j)
+          selections[c].samples.slopes[i * stack.frames.size() + j] = slope_at<Code>(stack, j, c, grid.candidate(cell));
+      }
+  });
 }
 
 /// The code at which the two longest exposures both end with many pixels, if they do below the top one.
@@ -166,11 +200,14 @@ UsableCodes usable_codes(const ExposureStack& stack, std::size_t channel) {
 
 std::vector<Samples> select_samples(const ExposureStack& stack) {
   const Grid grid(stack);
-  std::vector<Samples> samples(stack.channels);
+  std::vector<Selection> selections(stack.channels);
   stack.with_code_type([&]<class Code>(Code) {
     const std::vector<Code> candidates = candidate_codes<Code>(stack, grid);
-    parallel_for(stack.channels, [&](std::size_t c) { samples[c] = select<Code>(stack, grid, candidates, c); });
+    parallel_for(stack.channels, [&](std::size_t c) { selections[c] = select<Code>(stack, grid, candidates, c); });
+    find_slopes<Code>(stack, grid, selections);
   });
+  std::vector<Samples> samples;
+  for (Selection& selection : selections) samples.push_back(std::move(selection.samples));
   return samples;
 }
 

@@ -4,6 +4,7 @@
 #include "lambert/base/file.h"
 #include "lambert/base/number.h"
 #include "lambert/base/parallel.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/io.h"
 
 #include <algorithm>
@@ -15,10 +16,11 @@ namespace {
 std::size_t colours(int channels) { return channels >= 3 ? 3 : 1; }
 
 Texels read_codes(const std::string& file) {
-  const MappedFile mapped(file);
-  Texels t = decode_texels(mapped.bytes(), file);
+  const MappedFile mapped = open_input(file);
+  Texels t = decode_texels(mapped.bytes(), input_name(file));
   if (t.linear)
-    throw Error(file + ": holds radiance already, not the codes of a photograph (PNG, JPEG, TIFF and WebP have them)");
+    throw Error(input_name(file) +
+                ": holds radiance already, not the codes of a photograph (PNG, JPEG, TIFF and WebP have them)");
   return t;
 }
 
@@ -70,10 +72,11 @@ Difference brightening(const ExposureStack& stack, std::size_t a, std::size_t b)
 
 }  // namespace
 
-ExposureStack read_stack(const std::vector<std::string>& files, const std::vector<double>& exposures) {
+ExposureStack read_stack(const std::vector<std::string>& files, const std::vector<double>& exposures,
+                         const FractionSink& progress) {
   if (files.empty()) throw Error("no photographs given");
   std::vector<Texels> texels(files.size());
-  parallel_for(files.size(), [&](std::size_t i) { texels[i] = read_codes(files[i]); });
+  parallel_for(files.size(), progress, [&](std::size_t i) { texels[i] = read_codes(files[i]); });
   ExposureStack stack;
   stack.width = texels[0].width, stack.height = texels[0].height;
   stack.channels = colours(texels[0].channels);

@@ -1,6 +1,7 @@
 #pragma once
 /// Photographs of one scene, exposed differently.
 
+#include "lambert/base/progress.h"
 #include "lambert/base/vec.h"
 
 #include <algorithm>
@@ -65,7 +66,8 @@ struct ExposureStack {
 /// Reads PNG, JPEG, TIFF and WebP files of 8 or 16 bits; grey ones stay grey, alpha is dropped. Photographs of 8 bits
 /// among some of 16 are taken times 257. Throws Error naming the file that cannot be used: another size, other
 /// channels, a radiance format.
-ExposureStack read_stack(const std::vector<std::string>& files, const std::vector<double>& exposures);
+ExposureStack read_stack(const std::vector<std::string>& files, const std::vector<double>& exposures,
+                         const FractionSink& progress = {});
 
 /// Sorts by exposure. Throws Error with the reason where the exposures cannot be right: all equal (nearer than 1 %), or
 /// a longer exposure that is not brighter.

@@ -210,18 +210,19 @@ Rgb Irradiance::operator()(Vec3 normal) const {
   return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};
 }
 
-Probe diffuse_map(const Probe& probe, int rows) {
+Probe diffuse_map(const Probe& probe, int rows, const FractionSink& progress) {
   const Irradiance irradiance(probe);
   const Vec2i size = chart_size(probe.projection, rows);
   Probe result{probe.projection, probe.texels, {}};
   for (std::size_t i = 0; i < probe.charts.size(); ++i) result.charts.emplace_back(size.x, size.y, rgb_channels());
-  for (std::size_t i = 0; i < result.charts.size(); ++i)
-    parallel_for(static_cast<std::size_t>(size.y), [&](std::size_t row) {
-      const int y = static_cast<int>(row);
-      for (int x = 0; x < size.x; ++x)
-        if (const auto d = direction(result.projection, {static_cast<int>(i), uv_of(result, Vec2(x, y) + 0.5f)}))
-          result.charts[i].set_rgb(x, y, irradiance(*d) * inv_pi);
-    });
+  const auto rows_of_chart = static_cast<std::size_t>(size.y);
+  parallel_for(result.charts.size() * rows_of_chart, progress, [&](std::size_t i) {
+    const std::size_t chart = i / rows_of_chart;
+    const int y = static_cast<int>(i % rows_of_chart);
+    for (int x = 0; x < size.x; ++x)
+      if (const auto d = direction(result.projection, {static_cast<int>(chart), uv_of(result, Vec2(x, y) + 0.5f)}))
+        result.charts[chart].set_rgb(x, y, irradiance(*d) * inv_pi);
+  });
   return result;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "lambert/base/progress.h"
 #include "lambert/image/probe/layout.h"
 
 #include <array>
@@ -30,6 +31,6 @@ class Irradiance {
 
 /// E / π over all directions, as a map of the same kind as `probe` but `rows` high (lat-long maps are twice as wide):
 /// what a white diffuse surface of that normal radiates. A constant environment stays what it is.
-Probe diffuse_map(const Probe& probe, int rows);
+Probe diffuse_map(const Probe& probe, int rows, const FractionSink& progress = {});
 
 }  // namespace lambert::probe

@@ -1,6 +1,5 @@
 #include "lambert/image/probe/resample.h"
 
-#include "lambert/base/parallel.h"
 #include "lambert/image/probe/lookup.h"
 #include "lambert/image/probe/texels.h"
 
@@ -39,7 +38,7 @@ class Resampler {
 
   void run() {
     const Vec2i tiles = (Vec2i(target_.width(), target_.height()) + tile_ - 1) / tile_;
-    parallel_for(target_.charts.size() * static_cast<std::size_t>(tiles.y), [&](std::size_t i) {
+    parallel_for(target_.charts.size() * static_cast<std::size_t>(tiles.y), settings_.progress, [&](std::size_t i) {
       const auto chart = static_cast<int>(i / static_cast<std::size_t>(tiles.y));
       const auto row = static_cast<int>(i % static_cast<std::size_t>(tiles.y));
       Row samples;

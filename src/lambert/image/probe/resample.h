@@ -1,4 +1,5 @@
 #pragma once
+#include "lambert/base/progress.h"
 #include "lambert/image/probe/layout.h"
 #include "lambert/image/probe/rotation.h"
 
@@ -8,6 +9,7 @@ struct ResampleSettings {
   Mat3 rotation{1};        ///< the environment is turned by it: what was seen along d is then seen along rotation · d
   float quality = 2;       ///< samples per texel of the source along each axis, where the map shrinks
   int most_per_axis = 96;  ///< samples of a texel along one axis; only at the rim of balls are more wanted
+  FractionSink progress = {};
 };
 
 /// Another layout of the same environment, or a turned one: each texel is the mean over its solid angle of the source,

@@ -2,6 +2,7 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/polygon/formats/geojson.h"
 #include "lambert/polygon/formats/vertex_list.h"
 #include "lambert/polygon/formats/wkt.h"
@@ -33,7 +34,7 @@ FileFormat format_named(const std::string& name) {
 }
 
 std::optional<FileFormat> format_of(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  const std::string extension = format_extension(path);
   for (const Extension& e : extensions)
     if (extension == e.name) return e.format;
   return std::nullopt;
@@ -71,11 +72,12 @@ std::string features_text(const Features& features, FileFormat format) {
   return vertex_list_text(features);
 }
 
-FileFormat output_format(const std::filesystem::path& path) {
+FileFormat output_format(const std::filesystem::path& path, const std::vector<std::string>& others) {
   if (const auto format = format_of(path)) return *format;
   std::vector<std::string> known;
   for (const Extension& e : extensions) known.emplace_back(e.name);
-  throw Error(path.string() + ": unknown extension " + unknown_word(path.extension().string(), known));
+  known.insert(known.end(), others.begin(), others.end());
+  throw Error(path.string() + ": unknown extension " + unknown_word(format_extension(path), known));
 }
 
 void write_features(const std::filesystem::path& path, const Features& features) {

@@ -30,7 +30,7 @@ Features parse_features(std::string_view text, const std::string& name, FileForm
 std::string features_text(const Features& features, FileFormat format);
 /// Writes by extension, whole or not at all. Throws Error naming the path.
 void write_features(const std::filesystem::path& path, const Features& features);
-/// The format of a file to be written. Throws Error with the known extensions.
-FileFormat output_format(const std::filesystem::path& path);
+/// The format of a file to be written. Throws Error with the known extensions, and `others` that the caller knows.
+FileFormat output_format(const std::filesystem::path& path, const std::vector<std::string>& others = {});
 
 }  // namespace lambert::polygon

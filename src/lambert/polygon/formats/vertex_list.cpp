@@ -1,6 +1,7 @@
 #include "lambert/polygon/formats/vertex_list.h"
 
 #include "lambert/base/error.h"
+#include "lambert/base/lines.h"
 #include "lambert/base/number.h"
 #include "lambert/polygon/formats/path_builder.h"
 
@@ -172,11 +173,7 @@ class Writer {
 Features parse_vertex_list(std::string_view text, const std::string& name) {
   Reader reader(name);
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  for (std::size_t begin = 0, number = 1; begin < text.size(); ++number) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    reader.line(text.substr(begin, end - begin), number);
-    begin = end + 1;
-  }
+  for_lines(text, [&](std::string_view line, std::size_t number) { reader.line(line, number); });
   return reader.take();
 }
 
