@@ -3,7 +3,7 @@
 set -euo pipefail
 lambert=$(realpath "$1")
 cd "$(dirname "$0")"
-for name in nyquist pixel radial-spectra error quadrature dimensions inversion rejection; do
+for name in nyquist pixel radial-spectra error random-variable quadrature dimensions inversion rejection precision range; do
   "$lambert" lab "$name" -o "$name.svg"
 done
 for name in detail moire comb jitter patterns spectra best-candidate disk sphere environment noise; do

@@ -2,6 +2,7 @@
 
 #include "lambert/draw/axis_scale.h"
 #include "lambert/draw/stroke_font.h"
+#include "lambert/polygon/clip/half_plane_clip.h"
 
 #include <algorithm>
 #include <array>
@@ -89,7 +90,7 @@ class Artist {
   }
 
   void draw_series(const Series& s, const Colour& c) {
-    const bool lines = s.mark != Series::Mark::points;
+    const bool lines = s.mark != Series::Mark::points && s.mark != Series::Mark::area;
     const bool points = s.mark == Series::Mark::points || s.mark == Series::Mark::line_and_points;
     std::vector<Vec2d> at;
     for (const Vec2d p : s.points) {
@@ -98,6 +99,7 @@ class Artist {
       at.push_back(next);
     }
     if (lines) draw_line(at, c, s);
+    if (s.mark == Series::Mark::area) draw_area(at, c);
     if (!points) return;
     for (const Vec2d p : at)
       if (p.x >= area_.min.x && p.x <= area_.max.x && p.y >= area_.min.y && p.y <= area_.max.y)
@@ -117,6 +119,30 @@ class Artist {
       if (!seen) continue;
       if (run.empty()) run.push_back(a);
       run.push_back(b);
+    }
+    end_run();
+  }
+
+  void draw_area(const std::vector<Vec2d>& at, const Colour& c) {
+    const double zero = y_.pixel(0), base = std::isfinite(zero) ? zero : area_.max.y;
+    const std::array sides{polygon::keep_x_from(area_.min.x), polygon::keep_x_to(area_.max.x),
+                           polygon::keep_y_from(area_.min.y), polygon::keep_y_to(area_.max.y)};
+    Ring run;
+    const auto end_run = [&] {
+      if (run.size() > 1) {
+        const double first = run.front().x, last = run.back().x;
+        run.emplace_back(last, base);
+        run.emplace_back(first, base);
+        drawing_.marks.emplace_back(
+            Fill{.rings = {polygon::sutherland_hodgman(run, sides)}, .rule = FillRule::non_zero, .colour = c});
+      }
+      run.clear();
+    };
+    for (const Vec2d p : at) {
+      if (std::isfinite(p.x + p.y))
+        run.push_back(p);
+      else
+        end_run();
     }
     end_run();
   }
@@ -146,7 +172,12 @@ class Artist {
       const Series& s = plot_.series[i];
       if (s.name.empty()) continue;
       const Vec2d middle{corner.x + 17, y - 4};
-      if (s.mark != Series::Mark::points)
+      if (s.mark == Series::Mark::area)
+        drawing_.marks.emplace_back(Fill{
+            .rings = {{middle - Vec2d(10, 5), middle + Vec2d(10, -5), middle + Vec2d(10, 5), middle + Vec2d(-10, 5)}},
+            .rule = FillRule::non_zero,
+            .colour = colour(i)});
+      else if (s.mark != Series::Mark::points)
         stroke({middle - Vec2d(10, 0), middle + Vec2d(10, 0)}, colour(i), s.width, s.dashed ? 5 : 0);
       if (s.mark == Series::Mark::points || s.mark == Series::Mark::line_and_points)
         drawing_.marks.emplace_back(Disk{middle, 1.5 * s.width, colour(i)});

@@ -17,11 +17,11 @@ struct Axis {
 };
 
 struct Series {
-  enum class Mark : std::uint8_t { line, points, line_and_points, steps };
+  enum class Mark : std::uint8_t { line, points, line_and_points, steps, area };
 
-  std::string name;           ///< in the legend; none when empty
-  std::vector<Vec2d> points;  ///< a value that is not finite leaves a gap in the line
-  Mark mark = Mark::line;
+  std::string name;                   ///< in the legend; none when empty
+  std::vector<Vec2d> points;          ///< a value that is not finite leaves a gap in the line
+  Mark mark = Mark::line;             ///< area: filled from the line to 0 or, on a logarithmic axis, to the bottom
   std::optional<Colour> colour = {};  ///< absent: of the place in the plot
   double width = 1.6;                 ///< of the line; points are 1.5 times as large in radius
   bool dashed = false;

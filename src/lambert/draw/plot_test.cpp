@@ -85,5 +85,24 @@ TEST(Plot, DrawsAnyData) {
     }
 }
 
+TEST(Plot, AreasEndAtZeroAndAtTheAxes) {
+  const Axis x{.label = "", .low = 0, .high = 10}, y{.label = "", .low = -1, .high = 4};
+  const Drawing drawing = drawn(Plot{
+      .title = "", .x = x, .y = y, .series = {{.name = "", .points = {{2, 1}, {4, 9}}, .mark = Series::Mark::area}}});
+  const std::vector<Fill> fills = marks_of<Fill>(drawing);
+  ASSERT_EQ(fills.size(), 1u);
+  Box2 covered;
+  for (const Vec2d p : fills[0].rings.at(0)) covered.add(p);
+  Box2 axes;
+  for (const Stroke& stroke : marks_of<Stroke>(drawing))
+    if (stroke.closed)
+      for (const Vec2d p : stroke.points) axes.add(p);
+  const double unit_x = (axes.max.x - axes.min.x) / 10, unit_y = (axes.max.y - axes.min.y) / 5;
+  EXPECT_NEAR(covered.min.x, axes.min.x + 2 * unit_x, 1e-9);
+  EXPECT_NEAR(covered.max.x, axes.min.x + 4 * unit_x, 1e-9);
+  EXPECT_NEAR(covered.max.y, axes.max.y - unit_y, 1e-9) << "at 0, above the axis";
+  EXPECT_NEAR(covered.min.y, axes.min.y, 1e-9) << "cut where the axis ends";
+}
+
 }  // namespace
 }  // namespace lambert::draw

@@ -380,23 +380,39 @@ void check_write_options(const std::filesystem::path& path, const WriteOptions& 
   }
 }
 
+namespace {
+
+std::vector<std::byte> encoded(const Image& image, const Format& format, const WriteOptions& options) {
+  if (image.empty()) throw Error("an image without pixels cannot be written");
+  const bool cropped = !format.windows && image.data_window() != image.display_window();
+  const Image shown = cropped ? displayed(image) : Image();
+  const Image& written = cropped ? shown : image;
+  return format.encode
+             ? format.encode(written, options)
+             : format.encode_display(to_display(written, format, chosen_depth(format, options.depth)), options);
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_image(const std::filesystem::path& path, const Image& image,
+                                    const WriteOptions& options) {
+  check_write_options(path, options);
+  try {
+    return encoded(image, format_of(path), options);
+  } catch (const std::exception&) {
+    rethrow_named(output_name(path));
+  }
+}
+
 void write_image(const std::filesystem::path& path, const Image& image, const WriteOptions& options) {
   check_write_options(path, options);
   const Format& format = format_of(path);
   try {
-    if (image.empty()) throw Error("an image without pixels cannot be written");
-    const bool cropped = !format.windows && image.data_window() != image.display_window();
-    const Image shown = cropped ? displayed(image) : Image();
-    const Image& written = cropped ? shown : image;
-    if (format.encode == encode_exr) {  // block by block: the whole file would be as much memory again
-      ImageWriter writer(path, header_of(written), options);
-      writer.write(written.pixels());
-      return writer.close();
-    }
-    write_atomically(
-        path, format.encode
-                  ? format.encode(written, options)
-                  : format.encode_display(to_display(written, format, chosen_depth(format, options.depth)), options));
+    if (format.encode != encode_exr || image.empty()) return write_atomically(path, encoded(image, format, options));
+    // Block by block: the whole file would be as much memory again.
+    ImageWriter writer(path, header_of(image), options);
+    writer.write(image.pixels());
+    writer.close();
   } catch (const std::exception&) {
     rethrow_named(output_name(path));
   }

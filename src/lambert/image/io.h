@@ -52,6 +52,9 @@ std::vector<std::string> compression_words();
 /// after the sRGB curve, but for `.tif` of full floats, which is linear and not clipped; `.exr` keeps all channels,
 /// windows and attributes. Throws Error naming the path, also when the format has not the depth asked for.
 void write_image(const std::filesystem::path& path, const Image& image, const WriteOptions& options = {});
+/// The bytes that write_image() would put into a file of this path. Throws as it does.
+std::vector<std::byte> encode_image(const std::filesystem::path& path, const Image& image,
+                                    const WriteOptions& options = {});
 
 /// Throws the Error that write_image() would for a path and options that do not go together, before there is an image.
 void check_write_options(const std::filesystem::path& path, const WriteOptions& options);

@@ -1,6 +1,8 @@
 #include "lambert/image/io.h"
 
 #include "damage.h"
+#include "lambert/base/error.h"
+#include "lambert/base/file.h"
 #include "lambert/image/colour.h"
 #include "lambert/image/image_test_tools.h"
 #include "temporary_folder.h"
@@ -23,6 +25,20 @@ Image round_trip(const std::string& extension, const Image& image) {
   write_image(folder.path() / ("a" + extension), image);
   EXPECT_EQ(file_count(folder.path()), 1) << "nothing temporary stays";
   return read_image(folder.path() / ("a" + extension));
+}
+
+TEST(ImageIo, EncodedBytesAreThoseOfTheFile) {
+  const Image image = noise(17, 9, rgb_channels());
+  for (const std::string& extension : image_extensions()) {
+    const TemporaryFolder folder;
+    const fs::path path = folder.path() / ("a" + extension);
+    write_image(path, image);
+    const std::vector<std::byte> bytes = encode_image(path, image);
+    const MappedFile file(path);
+    EXPECT_TRUE(std::ranges::equal(bytes, file.bytes())) << extension;
+  }
+  EXPECT_THROW(encode_image("a.exr", Image()), Error);
+  EXPECT_THROW(encode_image("a.exr", image, {.depth = Depth::bits8}), Error);
 }
 
 // Steps of the format: halves, eight bits of the largest component, floats, codes of sRGB.

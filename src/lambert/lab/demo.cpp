@@ -17,6 +17,7 @@ const std::vector<Demo>& demos() {
       {"radial-spectra", "Power against frequency", show_radial_spectra},
       {"best-candidate", "Jittered against best-candidate samples", show_best_candidate},
       {"error", "Error of an edge's coverage against the number of samples", show_error},
+      {"random-variable", "PDF, CDF and an interval's probability; means and how they add up", show_random_variable},
       {"quadrature", "Grid sums and Monte Carlo estimates of an integral of one variable", show_quadrature},
       {"dimensions", "The same in one, two, four and eight variables", show_dimensions},
       {"inversion", "Bins and a power distribution by inversion", show_inversion},
@@ -25,6 +26,8 @@ const std::vector<Demo>& demos() {
       {"sphere", "Directions on sphere and hemisphere", show_sphere},
       {"environment", "Directions drawn from a sky", show_environment},
       {"noise", "Four times the samples, half the noise", show_noise},
+      {"precision", "What image files keep of light: relative errors over 20 decades", show_precision},
+      {"range", "The dynamic range of numbers beside that of the real world", show_range},
   };
   return all;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Demonstrations of sampling: each makes a picture and says numbers that the picture shows.
+/// Demonstrations of sampling and of numbers for light: each makes a picture and says numbers that the picture shows.
 
 #include "lambert/draw/drawing.h"
 #include "lambert/image/image.h"
@@ -52,5 +52,9 @@ Shown show_disk(const LabSettings&);
 Shown show_sphere(const LabSettings&);
 Shown show_environment(const LabSettings&);
 Shown show_noise(const LabSettings&);
+Shown show_random_variable(const LabSettings&);
+
+Shown show_precision(const LabSettings&);
+Shown show_range(const LabSettings&);
 
 }  // namespace lambert::lab

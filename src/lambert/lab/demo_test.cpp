@@ -1,4 +1,5 @@
 #include "lambert/lab/demo.h"
+#include "lambert/lab/demo_test_tools.h"
 #include "lambert/lab/periodogram.h"
 #include "lambert/lab/scenes.h"
 
@@ -12,13 +13,6 @@
 
 namespace lambert::lab {
 namespace {
-
-double fact(const Shown& shown, const std::string& name) {
-  for (const auto& [known, value] : shown.facts)
-    if (known == name) return value;
-  ADD_FAILURE() << "no fact '" << name << "'";
-  return NAN;
-}
 
 TEST(Periodogram, OfOnePointIsFlatAndOfAGridIsPeaks) {
   for (const double p : periodogram(std::vector<Vec2>{{0.3f, 0.7f}}, 5)) EXPECT_NEAR(p, 1, 1e-12);
