@@ -133,6 +133,7 @@ def images():
     write("image/bad-sum.png", PNG[:45] + b"\xff" + PNG[46:])
     write("image/bad-size-lies.png", png(30000, 30000, b"\0" * 100))
     write("image/bad-no-size.png", png(0, 2, b"\0"))
+    write("image/bad-chunk-size.png", PNG[:33] + struct.pack(">I", 1879048205) + b"tEXt" + bytes(20))
     write("image/bad-cut.webp", WEBP[:40])
     write("image/bad-cut.exr", EXR[:-20])
     write("image/bad-header.exr", EXR[:60])

@@ -21,9 +21,23 @@ struct Input {
 [[noreturn]] void fail(png_structp, png_const_charp message) { throw Error(message); }
 void ignore(png_structp, png_const_charp) {}
 
+Error cut_off(Bytes data) { return Error("ends at byte " + std::to_string(data.size())); }
+
+/// libpng allocates what a chunk claims to hold before it finds that the file is shorter.
+void check_chunk_sizes(Bytes data) {
+  constexpr std::size_t signature = 8, begin = 8, around = 12;  // size and name, and the checksum
+  for (std::size_t at = signature; at + begin <= data.size();) {
+    const auto* chunk = reinterpret_cast<png_const_bytep>(&data[at]);
+    const std::size_t size = png_get_uint_32(chunk);
+    if (at + around + size > data.size()) throw cut_off(data);
+    if (std::memcmp(chunk + 4, "IEND", 4) == 0) return;
+    at += size + around;
+  }
+}
+
 void read_bytes(png_structp png, png_bytep to, png_size_t count) {
   auto& in = *static_cast<Input*>(png_get_io_ptr(png));
-  if (count > in.data.size() - in.at) throw Error("ends at byte " + std::to_string(in.data.size()));
+  if (count > in.data.size() - in.at) throw cut_off(in.data);
   std::memcpy(to, in.data.data() + in.at, count);
   in.at += count;
 }
@@ -46,7 +60,9 @@ class Decoder {
 
   Texels decode(Bytes data, const std::string& name, DisplayNotes* notes) {
     Input in{data};
+    check_chunk_sizes(data);
     png_set_read_fn(png_, &in, read_bytes);
+    png_set_chunk_malloc_max(png_, 8'000'000);  // of what is compressed in a chunk, such as a profile
     png_read_info(png_, info_);
     const png_uint_32 width = png_get_image_width(png_, info_), height = png_get_image_height(png_, info_);
     check_image_size(name, width, height, data.size(),
