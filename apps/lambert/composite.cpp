@@ -1,5 +1,4 @@
 #include "command.h"
-#include "interrupt.h"
 #include "number_range.h"
 #include "outputs.h"
 #include "print_path.h"
@@ -7,7 +6,6 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
-#include "lambert/base/log.h"
 #include "lambert/base/parallel.h"
 #include "lambert/image/composite/composite.h"
 #include "lambert/image/composite/sequence.h"
@@ -90,7 +88,6 @@ int run(const Options& o) {
   check_files(source.tree, frames);
   if (o.threads > 0) set_thread_count(o.threads);
   CompositeSettings settings{.display = display_of(o), .name = source.name, .text = source.text};
-  settings.stop = stop_on_interrupt();
   const FractionSink progress = start_work(o.work);
   const auto start = std::chrono::steady_clock::now();
   std::size_t bytes = 0;
@@ -103,10 +100,6 @@ int run(const Options& o) {
     settings.progress = part_of(progress, frames_done / static_cast<double>(frames.size()),
                                 (frames_done + 1) / static_cast<double>(frames.size()));
     const CompositeReport report = composite_to_files(source.tree, outputs, write, settings);
-    if (report.stopped) {
-      log::warn(fmt::format("interrupted in frame {}, which is not written", frame));
-      return interrupted;
-    }
     ++frames_done;
     bytes = std::max(bytes, report.bytes_in_bands);
     bands += report.bands;

@@ -33,14 +33,29 @@ void say(std::string_view words) {
     const ssize_t ignored = ::write(STDERR_FILENO, words.data(), words.size());
 }
 
+/// As by nohup.
+bool is_ignored(int which) {
+  struct sigaction action {};
+  return ::sigaction(which, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+/// The reader of what this thread is writing went away. Nothing is written while the list of files is locked, so this
+/// may do what other signal handlers may not.
+void end_by_broken_pipe(int which) {
+  abandon_files();
+  ::signal(which, SIG_DFL);
+  ::raise(which);
+}
+
 }  // namespace
 
 void end_on_interrupt() {
+  ::signal(SIGPIPE, end_by_broken_pipe);
   // A thread that waits for the signals, since little may be called from a signal handler.
   sigset_t signals;
   sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
+  for (const int which : {SIGINT, SIGTERM, SIGHUP})
+    if (!is_ignored(which)) sigaddset(&signals, which);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::thread([signals] {
     int which = 0;

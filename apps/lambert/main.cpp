@@ -8,9 +8,12 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <new>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -115,6 +118,12 @@ int run(std::vector<std::string> words, const Failures& failures) {
   return failures.usage;
 }
 
+/// Throws Error when what was printed did not come to its place, such as a full disk.
+void flush_output() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout))
+    throw Error(std::string("standard output: cannot write: ") + std::strerror(errno));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -122,9 +131,13 @@ int main(int argc, char** argv) {
   const Failures failures = failures_of(words);
   cli::end_on_interrupt();
   try {
-    return run(words, failures);
+    const int status = run(words, failures);
+    flush_output();
+    return status;
   } catch (const Error& e) {
     log::error(e.what());
+  } catch (const std::system_error& e) {
+    log::error(fmt::format("{}: {}", std::ferror(stdout) ? "standard output" : "unexpected", e.what()));
   } catch (const std::bad_alloc&) {
     log::error("out of memory");
   } catch (const std::exception& e) {

@@ -3,6 +3,7 @@ import os
 import signal
 import struct
 import subprocess
+import time
 
 from command_line import PROGRAM, CommandLineTest, main
 
@@ -87,6 +88,39 @@ class Output(StreamsTest):
         self.assertEqual(writer.wait(60), -signal.SIGPIPE)
         writer.stderr.close()
         self.assertEqual(list(self.temporary.iterdir()), [])
+
+    def test_nothing_stays_beside_files_when_the_reader_goes_or_the_terminal_closes(self):
+        self.lambert("composite", "colour(0.5,0.25,0.1,1)", "--resolution", "1024x1024", "-o", "big.exr", "--compression", "none",
+                     "--depth", "float")
+        writer = subprocess.Popen([PROGRAM, "composite", "big.exr over big.exr", "--compression", "none", "-o", "exr:-",
+                                   "-o", "b.exr"],
+                                  cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        writer.stdout.read(10)
+        writer.stdout.close()
+        self.assertEqual(writer.wait(60), -signal.SIGPIPE)
+        self.assertEqual([f for f in self.files() if f.endswith(".tmp")], [])
+        for which in (signal.SIGHUP, signal.SIGINT):
+            working = subprocess.Popen([PROGRAM, "composite", "big.exr blur 200 dilate 100 over big.exr", "-o", "b.exr"],
+                                       cwd=self.folder, stderr=subprocess.DEVNULL)
+            time.sleep(0.4)
+            working.send_signal(which)
+            self.assertEqual(working.wait(5), 130)
+            self.assertEqual([f for f in self.files() if f.endswith(".tmp")], [])
+
+    def test_what_cannot_be_printed_is_an_error(self):
+        square = b"POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))"
+        (self.folder / "square.wkt").write_bytes(square)
+        for words in (["polygon", "area", "square.wkt"], ["polygon", "union", "square.wkt", "-o", "-"], ["image", "info", "a.pfm"]):
+            with open("/dev/full", "wb") as full:
+                done = subprocess.run([PROGRAM, *words], cwd=self.folder, stdout=full, stderr=subprocess.PIPE)
+            self.assertEqual(done.returncode, 1, words)
+            self.assertIn(b"standard output: cannot write: No space left on device", done.stderr)
+
+    def test_pictures_of_polygons_have_standard_output_alone(self):
+        square = b"POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))"
+        self.assertTrue(self.out("polygon", "union", "-", "--svg", "svg:-", given=square).endswith(b"</svg>\n"))
+        self.assertTrue(self.out("polygon", "area", "-", "--png", "-", given=square).startswith(b"\x89PNG"))
+        self.assertEqual(self.out("polygon", "union", "-", "-o", "-", "-o", "svg:-", given=square, status=1), b"")
 
     def test_a_file_may_be_called_minus(self):
         self.lambert("image", "convert", "a.pfm", "-o", "./png:-.exr")

@@ -1,3 +1,4 @@
+#include "../outputs.h"
 #include "../print_path.h"
 #include "verb.h"
 
@@ -43,37 +44,27 @@ void write_pictures(const std::vector<std::string>& paths, const Picture& pictur
     } else {
       Image image = to_image(rasterised(drawing));
       image.metadata["software"] = "lambert " LAMBERT_VERSION;
-      write_image(path, image);
+      write_image(path == "-" ? "png:-" : path, image);
     }
   }
 }
 
 void add_pictures(CLI::App& app, PolygonOptions& o) {
-  app.add_option("--svg", o.svg, "Draw what happened")->type_name("FILE");
-  app.add_option("--png", o.png, "The same as pixels")->type_name("FILE");
+  add_output(app, "--svg", o.svg, "Draw what happened");
+  add_output(app, "--png", o.png, "The same as pixels");
 }
 
 }  // namespace
 
-void add_output_files(CLI::App& app, PolygonOptions& o, const std::string& help) {
-  app.add_option("-o,--output", o.outputs, help + "; several allowed")
-      ->type_name("FILE")
-      ->allow_extra_args(false)
-      ->check([](const std::string& file) {
-        if (file != "-" && is_standard_stream(file)) reserve_standard_output();
-        return std::string();
-      });
-}
-
 void add_geometry_outputs(CLI::App& app, PolygonOptions& o) {
-  add_output_files(app, o,
-                   "Write the result: .geojson .json .wkt .txt .csv .xy, or a picture: .svg .png; else it is printed");
+  add_outputs(app, o.outputs,
+              "Write the result: .geojson .json .wkt .txt .csv .xy, or a picture: .svg .png; else it is printed");
   app.add_option("--to", o.format, "Format to print: geojson, wkt or vertices; that of the input by default");
   add_pictures(app, o);
 }
 
 void add_fact_outputs(CLI::App& app, PolygonOptions& o) {
-  add_output_files(app, o, "Write the facts as .json, or a picture: .svg .png");
+  add_outputs(app, o.outputs, "Write the facts as .json, or a picture: .svg .png");
   app.add_flag("--json", o.json, "Print JSON");
   add_pictures(app, o);
 }
@@ -90,13 +81,15 @@ void write_geometry(const PolygonOptions& o, FileFormat like, const Features& re
   std::vector<std::string> pictures;
   const std::vector<std::string> files = other_outputs(o, pictures);
   check_geometry_outputs(o);
-  const bool print = (files.empty() && !o.mesh_written) || std::ranges::find(files, "-") != files.end();
-  const FileFormat format = o.format.empty() ? like : format_named(o.format);
+  const auto text = [&] { return features_text(result, o.format.empty() ? like : format_named(o.format)); };
   for (const std::string& path : files)
-    if (path != "-") write_features(path, result);
+    if (path == "-")
+      write_atomically(path, text());
+    else
+      write_features(path, result);
   write_pictures(pictures, picture, o.svg);
-  if (print) {
-    fmt::print("{}", features_text(result, format));
+  if (files.empty() && !o.mesh_written) {
+    fmt::print("{}", text());
     return;
   }
   for (const std::string& path : files) print_path(path);
@@ -109,7 +102,7 @@ void write_facts(const PolygonOptions& o, const nlohmann::ordered_json& facts, c
   const std::vector<std::string> files = other_outputs(o, pictures);
   const auto dumped = [&] { return facts.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"; };
   for (const std::string& path : files)
-    if (format_extension(path) != ".json")
+    if (path != "-" && format_extension(path) != ".json")
       throw Error(path + ": unknown extension " + unknown_word(format_extension(path), {".json", ".svg", ".png"}));
   for (const std::string& path : files) write_atomically(path, dumped());
   write_pictures(pictures, picture, o.svg);

@@ -3,6 +3,7 @@
 
 #include "../command.h"
 #include "../number_range.h"
+#include "../outputs.h"
 
 #include "lambert/base/error.h"
 #include "lambert/base/standard_streams.h"
@@ -40,10 +41,11 @@ Vec3d parse_vector(const std::string& flag, const std::string& text) {
 
 /// To the files of -o, or as OBJ text to standard output.
 int write_solid(PolygonOptions o, const TriangleMesh& mesh) {
-  if (o.outputs.empty() || o.outputs == std::vector<std::string>{"-"}) {
+  if (o.outputs.empty()) {
     fmt::print("{}", obj_of(mesh));
     return done;
   }
+  std::ranges::replace(o.outputs, "-", "obj:-");
   const std::vector<std::string> known = mesh_extensions();
   for (const std::string& path : o.outputs) {
     const std::string extension = format_extension(path);
@@ -97,7 +99,7 @@ std::function<int()> add_extrude(CLI::App& app) {
   expect_number(
       app.add_option("--crease", options.crease, "Sides that turn by fewer degrees look smooth")->capture_default_str(),
       angle_in_degrees(0, 180));
-  add_output_files(app, options, "Write the mesh: .ply .obj .glb; else OBJ is printed");
+  add_outputs(app, options.outputs, "Write the mesh: .ply .obj .glb; else OBJ is printed");
   app.footer("A closed prism with caps, normals and texture coordinates.");
   return [] { return run_extrude(options); };
 }
@@ -118,7 +120,7 @@ std::function<int()> add_revolve(CLI::App& app) {
   expect_number(app.add_option("--crease", options.crease, "Strips that turn by fewer degrees look smooth")
                     ->capture_default_str(),
                 angle_in_degrees(0, 180));
-  add_output_files(app, options, "Write the mesh: .ply .obj .glb; else OBJ is printed");
+  add_outputs(app, options.outputs, "Write the mesh: .ply .obj .glb; else OBJ is printed");
   app.footer(
       "Of a polygon, x is the distance from the axis and y the height: a solid. A line, which may have a third\n"
       "coordinate, leaves a surface where it is.");

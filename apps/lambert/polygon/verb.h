@@ -29,7 +29,6 @@ struct PolygonOptions {
 /// FILE…, and --rule where `with_rule`.
 CLI::Option* add_input_options(CLI::App& app, PolygonOptions& o, bool with_rule = true);
 /// -o,--output FILE…, of which "svg:-", "obj:-" and the like are standard output; "-" is for the verb.
-void add_output_files(CLI::App& app, PolygonOptions& o, const std::string& help);
 /// -o, --to, --svg, --png: for verbs whose result is geometry.
 void add_geometry_outputs(CLI::App& app, PolygonOptions& o);
 /// -o, --json, --svg, --png: for verbs that print facts.

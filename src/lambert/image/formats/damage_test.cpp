@@ -72,8 +72,8 @@ std::string patched(std::string text, std::size_t at, std::string_view bytes) {
   return text.replace(at, bytes.size(), bytes);
 }
 /// With a header whose checksum is right.
-std::string huge_png(std::string text) {
-  text = patched(text, 16, std::string_view("\x00\x00\xff\xff\x00\x00\xff\xff", 8));
+std::string with_png_header(std::string text, std::string_view size_and_kind) {
+  text = patched(text, 16, size_and_kind);
   const auto crc = crc32(0, reinterpret_cast<const Bytef*>(text.data()) + 12, 17);
   for (std::size_t i = 0; i < 4; ++i) text[29 + i] = static_cast<char>(crc >> (24 - 8 * i));
   return text;
@@ -102,7 +102,9 @@ TEST(DamagedImages, HugeSizesAreRefusedBeforeTheyAreAllocated) {
       {"a.hdr", "#?RADIANCE\n\n-Y 2000000000 +X 2000000000\n...."},
       {"b.hdr", "#?RADIANCE\n\n-Y 15000 +X 15000\n...."},
       {"a.pfm", "PF\n90000 90000\n-1\n...."},
-      {"a.png", huge_png(samples().at("a.png"))},
+      {"a.png", with_png_header(samples().at("a.png"), {"\x00\x00\xff\xff\x00\x00\xff\xff", 8})},
+      // 16384x16384 of 16 bits and four channels: more than deflate can pack into 50 kB.
+      {"c.png", with_png_header(samples().at("a.png"), {"\0\0\x40\0\0\0\x40\0\x10\x06", 10}) + std::string(50000, '.')},
       {"b.png", samples().at("a.png").substr(0, 33) + std::string("\x70\0\0\0tEXt", 8) + "...."},
       {"a.jpg", huge_jpeg(samples().at("a.jpg"))},
       {"a.tif", huge_tiff(samples().at("a.tif"))},

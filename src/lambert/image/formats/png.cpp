@@ -49,6 +49,9 @@ void write_bytes(png_structp png, png_bytep from, png_size_t count) {
 }
 void flush(png_structp) {}
 
+/// How far deflate shrinks what repeats: 258 bytes to 2 bits, and a little more for what stands around.
+constexpr std::size_t most_deflated = 1032;
+
 class Decoder {
  public:
   Decoder()
@@ -65,8 +68,9 @@ class Decoder {
     png_set_chunk_malloc_max(png_, 8'000'000);  // of what is compressed in a chunk, such as a profile
     png_read_info(png_, info_);
     const png_uint_32 width = png_get_image_width(png_, info_), height = png_get_image_height(png_, info_);
-    check_image_size(name, width, height, data.size(),
-                     8192);  // deflate shrinks a thousandfold, and a byte may be 8 pixels
+    check_image_size(name, width, height, data.size(), 8 * most_deflated);  // a byte may be 8 pixels
+    if (png_get_rowbytes(png_, info_) * height > most_deflated * data.size())
+      throw Error("has only " + std::to_string(data.size()) + " bytes, too few for its pixels");
     Texels t;
     t.width = static_cast<int>(width), t.height = static_cast<int>(height);
     std::optional<std::vector<std::uint8_t>> plain = plain_rows(in);
@@ -112,7 +116,6 @@ class Decoder {
     return pixels;
   }
 
- private:
   /// An sRGB chunk or a profile outdoes gamma and primaries; profiles are taken for sRGB's. A gamma about 1/2.2 means
   /// sRGB, too.
   void read_notes(DisplayNotes& notes) {
