@@ -86,7 +86,7 @@ int run(const Options& o) {
     if (!o.bracket.empty() && output.find("{}") == std::string::npos)
       throw Error("--output: expected a name with {} for the number of the photograph, such as shot_{}.png");
   const double time = o.time.empty() ? 1 : hdr::parse_exposure_time(o.time, "--time");
-  if (!o.list.empty()) check_writable(o.list);
+  check_texts({o.list});
   for (const std::string& output : o.outputs) {
     encoder_for(output, o.bits);
     check_images({output});

@@ -34,6 +34,7 @@ Image joined(const std::vector<Image>& panels, int gap) {
 }
 
 int run(const Options& o) {
+  check_images(o.outputs);
   TexturedPlane plane{.samples = o.samples};
   const Vec2 size = parse_per_axis("--size", o.size, 1, 8192);
   plane.width = static_cast<int>(size.x), plane.height = static_cast<int>(size.y);

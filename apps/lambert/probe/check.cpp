@@ -43,6 +43,7 @@ int run(const Options& o) {
   const auto surface = known(o);
   if (!o.restored.empty() && !surface)
     throw Error("--restored: needs --irradiance or --diffuse-radiance to know what is missing");
+  if (!o.restored.empty()) check_probes({o.restored});
   const FractionSink progress = start_work(o.input.work);
   const ProbeInput input = read_probe(o.input);
   if (progress) progress(0.3);

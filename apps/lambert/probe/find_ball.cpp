@@ -31,6 +31,7 @@ Window window_of(const std::vector<int>& w) { return {w[0], w[1], w[2], w[3]}; }
 
 int run(const Options& o) {
   if (o.reflected.empty() != o.direct.empty()) throw Error("--reflected and --direct belong together");
+  check_images(o.outputs);
   const Image image = displayed(read_image(o.file));
   nlohmann::ordered_json j;
   if (!o.direct.empty())
