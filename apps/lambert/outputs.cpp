@@ -51,8 +51,8 @@ void write_images(const std::vector<std::string>& files, const Image& image, con
                   const FractionSink& progress) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     write_image(files[i], image, options);
-    print_path(files[i]);
     if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(files.size()));
+    print_path(files[i]);
   }
 }
 
