@@ -1,5 +1,9 @@
 """Outputs are checked before any work: where one cannot be written, none is, and nothing is printed."""
-from command_line import CommandLineTest, main
+import resource
+import signal
+import subprocess
+
+from command_line import PROGRAM, CommandLineTest, main
 from streams_test import PFM
 
 # A command with an output that cannot be, and what is said of it.
@@ -16,6 +20,11 @@ REFUSED = [
     ("probe lights a.pfm --sky m.foo --pbrt m.pbrt", "m.foo: unknown image format"),
     ("probe check a.pfm --irradiance 100 --restored m.foo", "m.foo: unknown image format"),
 ]
+
+
+def small_files():
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1024, 1024))
 
 
 class Outputs(CommandLineTest):
@@ -41,6 +50,15 @@ class Outputs(CommandLineTest):
             self.assertIn("h.foo: unknown image format", done.stderr)
             self.assertEqual(done.stdout, "")
             self.assertEqual(self.files(), ["a.pfm"])
+
+    def test_full_disk_names_the_output(self):
+        self.lambert("image", "plane", "--size", "512x512", "-o", "p.exr")
+        done = subprocess.run([PROGRAM, "image", "convert", "p.exr", "-o", "q.exr"], cwd=self.folder, capture_output=True, text=True,
+                              preexec_fn=small_files)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("q.exr: ", done.stderr)
+        self.assertNotIn(".tmp", done.stderr)
+        self.assertEqual(self.files(), ["a.pfm", "p.exr"])
 
 
 if __name__ == "__main__":

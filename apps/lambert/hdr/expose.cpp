@@ -77,7 +77,7 @@ Encoder encoder_for(const std::string& path, int bits) {
   if (extension == ".png") return encode_png;
   if (extension == ".tif" || extension == ".tiff") return encode_tiff;
   if (bits == 8 && (extension == ".jpg" || extension == ".jpeg")) return encode_jpeg;
-  throw Error(path + ": expected .png, .tif or, for 8 bits, .jpg");
+  throw Error(output_name(path) + ": expected .png, .tif or, for 8 bits, .jpg");
 }
 
 int run(const Options& o) {
