@@ -51,6 +51,11 @@ class Work(CommandLineTest):
         done = self.lambert("tonemap", "none.exr", "-o", "b.png", "--quiet", status=1)
         self.assertIn("none.exr: cannot open", done.stderr)
 
+    def test_many_levels_end_at_one(self):
+        self.lambert("image", "plane", "--size", "512x512", "--lookup", "nearest", "-o", "big.exr")
+        words = self.lambert("image", "mipmap", "big.exr", "--all", "-o", "l_#.pfm", "--progress", "ndjson").stderr
+        self.assertEqual(json.loads(words.splitlines()[-1])["fraction"], 1)
+
     def test_what_follows_a_bar_stands_on_its_own_line(self):
         (self.folder / "cut.pfm").write_bytes((self.folder / "a.pfm").read_bytes()[:-1])
         for work in WORKS + ["tonemap cut.pfm -o b.png", "hdr expose cut.pfm -o b.png", "probe lights a.pfm --suns 1 --from mirror-ball",

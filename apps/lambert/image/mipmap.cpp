@@ -64,11 +64,12 @@ int run(const Options& o) {
                 std::to_string(pyramid.level_count() - 1) + ", not " + std::to_string(*o.level));
   if (o.all) {
     const auto files = static_cast<double>(o.outputs.size()) * pyramid.level_count();
+    const FractionSink writing = part_of(progress, 0.3, 1);
     double written = 0;
     for (const std::string& path : o.outputs)
       for (int i = 0; i < pyramid.level_count(); ++i, ++written)
         write_images({numbered(path, i)}, pyramid.level(i), {},
-                     part_of(progress, 0.3 + 0.7 * written / files, 0.3 + 0.7 * (written + 1) / files));
+                     part_of(writing, written / files, (written + 1) / files));
     return done;
   }
   write_outputs(o, o.packed ? packed(pyramid) : o.level ? pyramid.level(*o.level) : side_by_side(pyramid), progress);
