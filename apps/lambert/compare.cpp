@@ -17,6 +17,7 @@ namespace lambert::cli {
 namespace {
 
 int run(const CompareOptions& o) {
+  check_pictures(o);
   Pair pair = read_pair(o);
   if (pair.a.width() != pair.b.width() || pair.a.height() != pair.b.height()) {
     log::error(fmt::format("the sizes differ: {} is {}x{}, {} is {}x{}", o.image, pair.a.width(), pair.a.height(),

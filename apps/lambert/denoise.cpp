@@ -74,8 +74,7 @@ std::function<int()> add_denoise(CLI::App& app) {
       {.expected = "a number from 0 to 1e30", .below = 1.000001e30});
   app.add_option("--oidn-library", o.library, "Open Image Denoise, if it is not where the system looks")
       ->type_name("FILE");
-  expect_number(app.add_option("--threads", o.threads, "0: all cores")->capture_default_str(),
-                {.expected = "a whole number from 0 to 4096", .below = 4097});
+  expect_number(app.add_option("--threads", o.threads, "0: all cores")->capture_default_str(), whole_number(0, 4096));
   expect_number(app.add_option("--exposure", o.exposure, "Stops, for display formats")->capture_default_str(),
                 {.expected = "a number of stops between -100 and 100", .low = -100, .below = 100});
   app.add_option("--tonemap", o.tonemap, fmt::format("For display formats: {}", fmt::join(tone_operator_names(), ", ")))

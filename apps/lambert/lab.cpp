@@ -32,14 +32,18 @@ std::string list() {
   return text;
 }
 
+void check_outputs(const std::vector<std::string>& paths, const lab::Demo& demo) {
+  for (const std::string& path : paths)
+    if (!demo.has_drawing && format_extension(path) == ".svg")
+      throw Error(output_name(path) + ": this picture is pixels: write .png, .exr or another image format");
+  check_drawings(paths);
+}
+
 void write(const std::filesystem::path& path, const lab::Shown& shown) {
-  if (const auto* drawing = std::get_if<draw::Drawing>(&shown.picture)) {
+  if (const auto* drawing = std::get_if<draw::Drawing>(&shown.picture))
     draw::write_drawing(path, *drawing);
-  } else if (format_extension(path) == ".svg") {
-    throw Error(output_name(path) + ": this picture is pixels: write .png, .exr or another image format");
-  } else {
+  else
     write_image(path, std::get<Image>(shown.picture));
-  }
 }
 
 int run(const Options& o) {
@@ -48,8 +52,9 @@ int run(const Options& o) {
     return done;
   }
   const lab::Demo& demo = lab::demo(o.name);
-  const lab::Shown shown = demo.show(o.settings);
   const std::vector<std::string> paths = o.outputs.empty() ? std::vector{o.name + ".png"} : o.outputs;
+  check_outputs(paths, demo);
+  const lab::Shown shown = demo.show(o.settings);
   for (const std::string& path : paths) write(path, shown);
   if (o.json) {
     nlohmann::ordered_json facts{{"demonstration", o.name}, {"written", paths}};

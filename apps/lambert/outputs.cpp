@@ -34,12 +34,25 @@ void check_images(const std::vector<std::string>& files, const WriteOptions& opt
   }
 }
 
+void check_drawings(const std::vector<std::string>& files) {
+  for (const std::string& file : files)
+    if (format_extension(file) == ".svg")
+      check_writable(file);
+    else
+      check_images({file});
+}
+
+void check_texts(const std::vector<std::string>& files) {
+  for (const std::string& file : files)
+    if (!file.empty()) check_writable(file);
+}
+
 void write_images(const std::vector<std::string>& files, const Image& image, const WriteOptions& options,
                   const FractionSink& progress) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     write_image(files[i], image, options);
-    print_path(files[i]);
     if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(files.size()));
+    print_path(files[i]);
   }
 }
 

@@ -19,6 +19,10 @@ CLI::Option* add_outputs(CLI::App& app, std::vector<std::string>& files, const s
 
 /// Throws Error, before any work is done, when an image could not be written to one of them.
 void check_images(const std::vector<std::string>& files, const WriteOptions& options = {});
+/// The same for a drawing, which may be .svg too.
+void check_drawings(const std::vector<std::string>& files);
+/// The same for text, whatever the name; an empty name is no output.
+void check_texts(const std::vector<std::string>& files);
 /// The same image to each, by its extension; prints the paths.
 void write_images(const std::vector<std::string>& files, const Image& image, const WriteOptions& options = {},
                   const FractionSink& progress = {});

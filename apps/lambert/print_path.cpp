@@ -1,5 +1,7 @@
 #include "print_path.h"
 
+#include "progress_report.h"
+
 #include "lambert/base/standard_streams.h"
 
 #include <fmt/format.h>
@@ -8,6 +10,7 @@ namespace lambert::cli {
 
 void print_path(const std::filesystem::path& path) {
   if (is_standard_stream(path)) return;
+  end_bar_line();
   fmt::print("{}\n", std::filesystem::absolute(path).lexically_normal().string());
 }
 

@@ -7,11 +7,15 @@
 
 #include <unistd.h>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 
 namespace lambert::cli {
 namespace {
+
+std::atomic<bool> bar_is_open{false};  // its line has no end yet
 
 void draw_bar(const Progress& p) {
   constexpr int width = 28;
@@ -22,8 +26,18 @@ void draw_bar(const Progress& p) {
                                                         with_unit(p.rays_per_second))
                                           : "";
   fmt::print(stderr, "\r[{}] {:3.0f} %  {}{} left\x1b[K", bar, 100 * p.fraction, rates, duration(p.remaining_seconds));
-  if (p.fraction >= 1) fmt::print(stderr, "\n");
+  bar_is_open = true;
+  if (p.fraction >= 1) end_bar_line();
   std::fflush(stderr);
+}
+
+struct Bar {
+  ~Bar() { end_bar_line(); }
+  void draw(const Progress& p) const { draw_bar(p); }
+};
+
+ProgressSink bar() {
+  return [line = std::make_shared<Bar>()](const Progress& p) { line->draw(p); };
 }
 
 void print_json_line(const Progress& p) {
@@ -39,6 +53,10 @@ void print_json_line(const Progress& p) {
 }
 
 }  // namespace
+
+void end_bar_line() {
+  if (bar_is_open.exchange(false)) fmt::print(stderr, "\n");
+}
 
 std::string with_unit(double value) {
   if (value >= 1e9) return fmt::format("{:.2f} G", value / 1e9);
@@ -57,8 +75,8 @@ std::string duration(double seconds) {
 std::vector<std::string> progress_styles() { return {"tty", "ndjson", "none"}; }
 
 ProgressSink progress_sink(const std::string& style) {
-  if (style.empty()) return ::isatty(STDERR_FILENO) ? ProgressSink(draw_bar) : ProgressSink();
-  if (style == "tty") return draw_bar;
+  if (style.empty()) return ::isatty(STDERR_FILENO) ? bar() : ProgressSink();
+  if (style == "tty") return bar();
   if (style == "ndjson") return print_json_line;
   if (style == "none") return {};
   throw Error("--progress: unknown style " + unknown_word(style, progress_styles()));

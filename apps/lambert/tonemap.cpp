@@ -54,7 +54,7 @@ Image mapped(std::vector<Image> inputs, const std::string& name, const TonemapOp
 
 void check(const TonemapOptions& o) {
   for (const std::string& name : o.operators) tone_operator(name);
-  if (o.inputs.empty()) throw CLI::RequiredError("images");
+  if (o.inputs.empty()) throw CLI::RequiredError("input");
   if (o.outputs.empty()) throw CLI::RequiredError("--output");
   if (o.operators.size() > 1 && !o.montage) throw Error("--operator: several need --montage");
   if (o.montage && !o.assignments.empty()) throw Error("--set belongs to one operator, not to --montage");
@@ -110,9 +110,9 @@ std::function<int()> add_tonemap(CLI::App& app) {
                 {.expected = "a number from 0 to 4", .low = 0, .below = 4.000001});
   app.add_flag("--montage", o.montage, "All operators side by side with their names");
   expect_number(app.add_option("--columns", o.columns, "Of the montage; 0: as square as may be")->capture_default_str(),
-                {.expected = "a whole number from 0 to 100", .low = 0, .below = 101});
+                whole_number(0, 100));
   expect_number(app.add_option("--tile-width", o.tile_width, "Of the montage, at most, pixels")->capture_default_str(),
-                {.expected = "a whole number from 16 to 4096", .low = 16, .below = 4097});
+                whole_number(16, 4096));
   add_work_options(app, o.work);
   app.add_flag("--list", o.list, "List the operators and their settings");
   app.add_flag("--json", o.json, "The list as JSON");

@@ -14,7 +14,7 @@ namespace lambert::cli {
 void add_work_options(CLI::App& app, WorkOptions& o) {
   app.add_option("--progress", o.progress, "tty, ndjson or none; by default a bar if standard error is a terminal")
       ->check(CLI::IsMember(progress_styles()));
-  app.add_flag("-q,--quiet", o.quiet, "Say nothing but errors");
+  app.add_flag("-q,--quiet", o.quiet, "Of words only errors; paths, numbers and JSON stay");
 }
 
 ProgressSink progress_of(const WorkOptions& o) {

@@ -10,9 +10,10 @@
 namespace lambert::cli {
 
 struct WorkOptions {
-  std::string progress;
-  bool quiet = false;
+  std::string progress;  ///< a style of progress_styles(); empty: a bar on a terminal, once the work takes long
+  bool quiet = false;    ///< no progress, and of all words only errors
 };
+/// --progress and -q,--quiet. A style that is none is an error while flags are read.
 void add_work_options(CLI::App& app, WorkOptions& o);
 
 /// Where the work tells how far it is; empty for nowhere. With --quiet nothing but errors is logged from now on.

@@ -21,6 +21,8 @@ REFUSED = [
     ("image resize a.pfm -o b.png --scale", "nan inf 0 -1", "a ratio above 0"),
     ("hdr merge a.png -o b.exr --scale", "nan inf 0 1e300", "a number from 1e-30 to 1e30"),
     ("denoise a.pfm -o b.pfm --firefly", "nan inf -1 1e300", "a number from 0 to 1e30"),
+    ("probe irradiance a.pfm --normal", "nan,0,0 0,0,0 1,inf,0", "three finite numbers that are not all 0"),
+    ("probe check a.pfm --irradiance 1 --normal", "nan,0,0 0,0,0", "three finite numbers that are not all 0"),
 ]
 REFUSED_BY_COMPARE = [
     ("compare a.pfm a.pfm --fail", "nan inf", "a finite number"),

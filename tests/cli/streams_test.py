@@ -172,6 +172,26 @@ class Input(StreamsTest):
         done = self.stream("image", "convert", "-", "-o", "b.png", given=PFM[:-1], status=1)
         self.assertIn(b"standard input: ", done.stderr)
 
+    def test_messages_and_facts_name_it(self):
+        self.assertTrue(self.out("hdr", "range", "-", given=PFM).startswith(b"standard input: "))
+        self.assertIn(b"standard input", self.out("image", "info", "-", given=PFM))
+        self.assertIn(b"standard input", self.out("info", "-", "--json", given=PFM))
+        self.lambert("image", "convert", "a.pfm", "-o", "a.png")
+        done = self.stream("hdr", "merge", "-", "a.png", "--stops", "0,1", "-o", "m.exr", given=(self.folder / "a.png").read_bytes(),
+                           status=1)
+        self.assertIn(b"than standard input though", done.stderr)
+        black = b"PF\n8 8\n-1.0\n" + b"\0\0\xc0\x7f" * (3 * 64)
+        done = self.stream("probe", "assemble", "-", "-", "--angles", "0,90", "-o", "m.exr", given=black, status=1)
+        self.assertIn(b"standard input: expected finite pixels", done.stderr)
+        done = self.stream("hdr", "expose", "a.pfm", "-o", "-", status=1)
+        self.assertIn(b"standard output: expected .png", done.stderr)
+
+    def test_folder_for_temporary_files(self):
+        done = subprocess.run([PROGRAM, "image", "convert", "-", "-o", "b.png"], cwd=self.folder, input=PFM, capture_output=True,
+                              env=os.environ | {"TMPDIR": str(self.folder / "missing")})
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(b"error: standard input: cannot read: no folder for temporary files", done.stderr)
+
     def test_memory_does_not_grow_with_the_picture(self):
         self.lambert("composite", "colour(0.5,0.25,0.1,1)", "--resolution", "8192x8192", "-o", "big.exr")
         with open(self.folder / "big.exr", "rb") as given, open(self.folder / "out.exr", "wb") as taken:

@@ -8,7 +8,8 @@ import time
 from command_line import PROGRAM, CommandLineTest, main
 
 WORKS = ["image convert a.pfm -o b.exr", "image resize a.pfm --size 2x2 -o b.exr", "image blur a.pfm --sigma 1 -o b.exr",
-         "image resolve a.pfm --factor 1 -o b.exr", "image mipmap a.pfm -o b.exr", "image fill-gaps a.pfm --mask a.pfm -o b.exr",
+         "image resolve a.pfm --factor 1 -o b.exr", "image mipmap a.pfm -o b.exr",
+         "image mipmap a.pfm --all -o b_#.exr -o c_#.pfm", "image fill-gaps a.pfm --mask a.pfm -o b.exr",
          "image plane --size 8x8 -o b.exr", "tonemap a.pfm -o b.png", "tonemap a.pfm --montage -o b.png", "denoise a.pfm -o b.exr",
          "denoise a.pfm --method nlm -o b.exr", "probe convert a.pfm --to octahedral -o b.exr", "probe rotate a.pfm --yaw 9 -o b.exr",
          "probe irradiance a.pfm --size 4 -o b.exr", "probe sh a.pfm --size 4 -o b.exr", "probe check a.pfm",
@@ -49,6 +50,22 @@ class Work(CommandLineTest):
                 self.assertEqual((done.stdout, done.stderr), (loud, ""))
         done = self.lambert("tonemap", "none.exr", "-o", "b.png", "--quiet", status=1)
         self.assertIn("none.exr: cannot open", done.stderr)
+
+    def test_many_levels_end_at_one(self):
+        self.lambert("image", "plane", "--size", "512x512", "--lookup", "nearest", "-o", "big.exr")
+        words = self.lambert("image", "mipmap", "big.exr", "--all", "-o", "l_#.pfm", "--progress", "ndjson").stderr
+        self.assertEqual(json.loads(words.splitlines()[-1])["fraction"], 1)
+
+    def test_what_follows_a_bar_stands_on_its_own_line(self):
+        (self.folder / "cut.pfm").write_bytes((self.folder / "a.pfm").read_bytes()[:-1])
+        for work in WORKS + ["tonemap cut.pfm -o b.png", "hdr expose cut.pfm -o b.png", "probe lights a.pfm --suns 1 --from mirror-ball",
+                             "image mipmap a.pfm --level 900 -o b.exr", "tonemap a.pfm a.pfm cut.pfm --operator mertens -o b.png"]:
+            with self.subTest(work):
+                done = subprocess.run([PROGRAM, *work.split(), "--progress", "tty"], cwd=self.folder, stdout=subprocess.PIPE,
+                                      stderr=subprocess.STDOUT, text=True, errors="replace")
+                for line in done.stdout.split("\n"):
+                    if "\x1b[K" in line:
+                        self.assertTrue(line.endswith("\x1b[K"), line)
 
     def test_unknown_style(self):
         for work in WORKS:

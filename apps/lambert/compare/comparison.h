@@ -63,6 +63,8 @@ Comparison compared(const CompareOptions& o, Pair pair);
 inline constexpr int same = 0, warned = 1, different = 2, sizes_differ = 3;
 int verdict(const Comparison& c);
 
+/// Throws Error, before any work, when a file that was asked for could not be written.
+void check_pictures(const CompareOptions& o);
 /// The files that were asked for.
 void write_pictures(const Comparison& c);
 void print_report(const Comparison& c, int status);

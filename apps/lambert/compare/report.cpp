@@ -1,5 +1,7 @@
 #include "comparison.h"
 
+#include "../outputs.h"
+
 #include "lambert/image/compare/false_colour.h"
 #include "lambert/image/io.h"
 
@@ -79,14 +81,20 @@ std::string as_text(const Comparison& c, int status) {
   return text + word(status) + "\n";
 }
 
+WriteOptions difference_options(const CompareOptions& o) {
+  return {.depth = writes_exr(o.difference) ? Depth::full : Depth::automatic};
+}
+
 }  // namespace
+
+void check_pictures(const CompareOptions& o) {
+  if (!o.difference.empty()) check_images({o.difference}, difference_options(o));
+  if (!o.heat.empty()) check_images({o.heat});
+}
 
 void write_pictures(const Comparison& c) {
   const CompareOptions& o = c.o;
-  if (!o.difference.empty()) {
-    write_image(o.difference, difference(c.pair.a, c.pair.b),
-                {.depth = writes_exr(o.difference) ? Depth::full : Depth::automatic});
-  }
+  if (!o.difference.empty()) write_image(o.difference, difference(c.pair.a, c.pair.b), difference_options(o));
   if (o.heat.empty()) return;
   Plane plane(c.pair.a.width(), c.pair.a.height());
   double top = 1;

@@ -77,7 +77,7 @@ Encoder encoder_for(const std::string& path, int bits) {
   if (extension == ".png") return encode_png;
   if (extension == ".tif" || extension == ".tiff") return encode_tiff;
   if (bits == 8 && (extension == ".jpg" || extension == ".jpeg")) return encode_jpeg;
-  throw Error(path + ": expected .png, .tif or, for 8 bits, .jpg");
+  throw Error(output_name(path) + ": expected .png, .tif or, for 8 bits, .jpg");
 }
 
 int run(const Options& o) {
@@ -86,7 +86,7 @@ int run(const Options& o) {
     if (!o.bracket.empty() && output.find("{}") == std::string::npos)
       throw Error("--output: expected a name with {} for the number of the photograph, such as shot_{}.png");
   const double time = o.time.empty() ? 1 : hdr::parse_exposure_time(o.time, "--time");
-  if (!o.list.empty()) check_writable(o.list);
+  check_texts({o.list});
   for (const std::string& output : o.outputs) {
     encoder_for(output, o.bits);
     check_images({output});

@@ -5,6 +5,7 @@
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
 #include "lambert/base/number.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/formats/exif.h"
 #include "lambert/image/hdr/exposure.h"
 #include "lambert/image/hdr/ghosts.h"
@@ -59,7 +60,7 @@ std::vector<hdr::ExposureSetting> from_list(const std::string& list_name, std::v
     const auto found = std::find_if(list.begin(), list.end(), [&](const hdr::ListedExposure& e) {
       return e.file.filename() == std::filesystem::path(file).filename();
     });
-    if (found == list.end()) throw Error(file + ": is not in the list " + list_name);
+    if (found == list.end()) throw Error(input_name(file) + ": is not in the list " + list_name);
     settings.push_back(found->setting);
   }
   return settings;

@@ -84,8 +84,8 @@ int run(const Options& o) {
     if (!is_radiance_format(path))
       throw Error(output_name(path) + ": radiance does not fit a display format; expected .exr, .hdr or .pfm");
   check_images(o.outputs);
-  if (!o.response_out.empty()) check_writable(o.response_out);
-  if (!o.plot.empty()) check_writable(o.plot);
+  check_texts({o.response_out});
+  if (!o.plot.empty()) check_drawings({o.plot});
   const hdr::Weighting weights = hdr::weighting(o.weights);
   if (o.ghosts != "auto" && o.ghosts != "off")
     throw Error("unknown --ghosts " + unknown_word(o.ghosts, {"auto", "off"}));

@@ -2,6 +2,7 @@
 
 #include "../command.h"
 
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/hdr/range.h"
 #include "lambert/image/io.h"
 
@@ -20,9 +21,15 @@ struct Options {
 int run(const Options& o) {
   const Image map = read_image(o.file);
   const hdr::RadianceRange r = hdr::radiance_range(map, o.luminance ? hdr::RangeOf::luminance : hdr::RangeOf::channels);
-  nlohmann::ordered_json j{{"file", o.file},     {"max", r.max},           {"min_positive", r.min_positive},
-                           {"ratio", r.ratio()}, {"stops", r.stops()},     {"values", r.values},
-                           {"zero", r.zero},     {"negative", r.negative}, {"not_finite", r.not_finite}};
+  nlohmann::ordered_json j{{"file", input_name(o.file)},
+                           {"max", r.max},
+                           {"min_positive", r.min_positive},
+                           {"ratio", r.ratio()},
+                           {"stops", r.stops()},
+                           {"values", r.values},
+                           {"zero", r.zero},
+                           {"negative", r.negative},
+                           {"not_finite", r.not_finite}};
   for (const int bits : {8, 12, 16})
     j["sensors"].push_back({{"bits", bits},
                             {"short_by_factor", hdr::shortfall(r.ratio(), bits)},
@@ -32,8 +39,8 @@ int run(const Options& o) {
     fmt::print("{}\n", j.dump(2));
     return done;
   }
-  fmt::print("{}: {:.6g} to {:.6g}, a ratio of {:.6g} to 1, {:.4g} stops\n", o.file, r.max, r.min_positive, r.ratio(),
-             r.stops());
+  fmt::print("{}: {:.6g} to {:.6g}, a ratio of {:.6g} to 1, {:.4g} stops\n", input_name(o.file), r.max, r.min_positive,
+             r.ratio(), r.stops());
   fmt::print("{} values: {} are 0, {} negative, {} not finite\n", r.values, r.zero, r.negative, r.not_finite);
   for (const int bits : {8, 12, 16}) {
     const double factor = hdr::shortfall(r.ratio(), bits);

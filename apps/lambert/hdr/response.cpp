@@ -22,8 +22,8 @@ struct Options {
 };
 
 int run(const Options& o) {
-  for (const std::string& path : o.outputs) check_writable(path);
-  if (!o.plot.empty()) check_writable(o.plot);
+  check_texts(o.outputs);
+  if (!o.plot.empty()) check_drawings({o.plot});
   const FractionSink progress = start_work(o.stack.work);
   const LoadedStack loaded = load_stack(o.stack, part_of(progress, 0, 0.7));
   const hdr::Recovery recovery = response_for(o.recovery, loaded.stack);

@@ -8,6 +8,7 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/channels.h"
 #include "lambert/image/stream.h"
 
@@ -52,11 +53,11 @@ int run(const Options& o) {
   ImageHeader header = reader.header();
   if (header.parts > 1)
     log::info(fmt::format("{}: its {} parts become layers of one, on one window; of their metadata one's is kept",
-                          o.input, header.parts));
+                          input_name(o.input), header.parts));
   if (o.crop_to == "display") header.data = header.display;
   if (o.crop_to == "data") header.display = header.data;
 
-  const std::vector<ChannelChoice> choices = chosen_channels(header.channels, o.layer, o.channels, o.input);
+  const std::vector<ChannelChoice> choices = chosen_channels(header.channels, o.layer, o.channels, input_name(o.input));
   const float factor = static_cast<float>(std::exp2(o.exposure));
   const std::vector<bool> light = light_channels(header.channels);
   const Window window = header.data;

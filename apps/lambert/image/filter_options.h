@@ -24,9 +24,9 @@ struct FilterOptions {
 void add_image_paths(CLI::App& app, FilterOptions& o);
 void add_edge_option(CLI::App& app, FilterOptions& o);
 /// Throws Error, before it reads, when an output could not be written.
-Image read_input(const FilterOptions& o, const FractionSink& progress = {});
+Image read_input(const FilterOptions& o, const FractionSink& progress);
 /// To every output; prints the paths.
-void write_outputs(const FilterOptions& o, Image image, const FractionSink& progress = {});
+void write_outputs(const FilterOptions& o, Image image, const FractionSink& progress);
 
 /// "5" for both axes or "5x3", each from `low` to `high`. Throws Error.
 Vec2 parse_per_axis(const std::string& flag, const std::string& text, float low, float high);

@@ -3,6 +3,7 @@
 #include "../command.h"
 
 #include "lambert/base/number.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/stream.h"
 
 #include <fmt/format.h>
@@ -95,7 +96,7 @@ void print_image_info(const std::filesystem::path& file, bool json) {
   const ImageHeader& h = reader.header();
   const std::vector<Statistics> statistics = statistics_of(reader);
   if (json) {
-    nlohmann::ordered_json j{{"file", file.string()},
+    nlohmann::ordered_json j{{"file", input_name(file)},
                              {"width", h.data.width},
                              {"height", h.data.height},
                              {"data_window", as_json(h.data)},
@@ -111,8 +112,8 @@ void print_image_info(const std::filesystem::path& file, bool json) {
     fmt::print("{}\n", j.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return;
   }
-  fmt::print("file      {}\nsize      {}x{}\ndata      {}\ndisplay   {}\n", file.string(), h.data.width, h.data.height,
-             as_text(h.data), as_text(h.display));
+  fmt::print("file      {}\nsize      {}x{}\ndata      {}\ndisplay   {}\n", input_name(file), h.data.width,
+             h.data.height, as_text(h.data), as_text(h.display));
   if (h.parts > 1) fmt::print("parts     {}, as layers\n", h.parts);
   for (std::size_t c = 0; c < statistics.size(); ++c) {
     const Statistics& s = statistics[c];

@@ -6,6 +6,7 @@
 #include "../outputs.h"
 
 #include "lambert/base/error.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/filter/pyramid.h"
 #include "lambert/image/io.h"
 
@@ -59,11 +60,16 @@ int run(const Options& o) {
   Image image = read_input(o, progress);
   const Pyramid pyramid = o.unpack ? unpacked(image) : Pyramid(std::move(image));
   if (o.level && *o.level >= pyramid.level_count())
-    throw Error("--level: " + o.input + " has the levels 0 to " + std::to_string(pyramid.level_count() - 1) + ", not " +
-                std::to_string(*o.level));
+    throw Error("--level: " + input_name(o.input) + " has the levels 0 to " +
+                std::to_string(pyramid.level_count() - 1) + ", not " + std::to_string(*o.level));
   if (o.all) {
+    const auto files = static_cast<double>(o.outputs.size()) * pyramid.level_count();
+    const FractionSink writing = part_of(progress, 0.3, 1);
+    double written = 0;
     for (const std::string& path : o.outputs)
-      for (int i = 0; i < pyramid.level_count(); ++i) write_images({numbered(path, i)}, pyramid.level(i));
+      for (int i = 0; i < pyramid.level_count(); ++i, ++written)
+        write_images({numbered(path, i)}, pyramid.level(i), {},
+                     part_of(writing, written / files, (written + 1) / files));
     return done;
   }
   write_outputs(o, o.packed ? packed(pyramid) : o.level ? pyramid.level(*o.level) : side_by_side(pyramid), progress);

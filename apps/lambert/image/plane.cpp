@@ -34,6 +34,7 @@ Image joined(const std::vector<Image>& panels, int gap) {
 }
 
 int run(const Options& o) {
+  check_images(o.outputs);
   TexturedPlane plane{.samples = o.samples};
   const Vec2 size = parse_per_axis("--size", o.size, 1, 8192);
   plane.width = static_cast<int>(size.x), plane.height = static_cast<int>(size.y);
@@ -66,7 +67,7 @@ std::function<int()> add_plane(CLI::App& app) {
       ->allow_extra_args(false);
   app.add_option("--size", o.size, "WxH of one picture")->capture_default_str();
   expect_number(app.add_option("--samples", o.samples, "Per pixel and axis")->capture_default_str(),
-                {.expected = "a whole number from 1 to 64", .low = 1, .below = 65});
+                whole_number(1, 64));
   expect_number(app.add_option("--anisotropy", o.anisotropy, "The longest ellipse by its ratio")->capture_default_str(),
                 {.expected = "a ratio from 1 to 256", .low = 1, .below = 256.001});
   add_edge_option(app, o);

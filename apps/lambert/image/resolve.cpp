@@ -35,7 +35,7 @@ std::function<int()> add_resolve(CLI::App& app) {
   static Options o;
   add_image_paths(app, o);
   expect_number(app.add_option("--factor", o.factor, "Samples per pixel along each axis")->capture_default_str(),
-                {.expected = "a whole number from 1 to 64", .low = 1, .below = 65});
+                whole_number(1, 64));
   app.add_option("--filter", o.filter, "box (all alike) or bartlett (1 2 1 along each axis)")->capture_default_str();
   return [] { return run(o); };
 }

@@ -9,6 +9,7 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/probe/find_ball.h"
 
 #include <fmt/format.h>
@@ -42,11 +43,12 @@ Probe read_ball(const Options& o, const std::string& file) {
   input.layout.ball_distance = o.ball_distance;
   if (!o.find) return read_probe(input).probe;
   const Image photograph = read_finite(file);
+  const std::string name = input_name(file);
   const auto ball = find_ball(photograph);
-  if (!ball) throw Error(file + ": no ball found; crop it by 'lambert probe find-ball --circle'");
-  warn_if_cut(file, photograph, *ball);
+  if (!ball) throw Error(name + ": no ball found; crop it by 'lambert probe find-ball --circle'");
+  warn_if_cut(name, photograph, *ball);
   log::info(
-      fmt::format("{}: ball at {:.1f}, {:.1f}, radius {:.1f}", file, ball->centre.x, ball->centre.y, ball->radius));
+      fmt::format("{}: ball at {:.1f}, {:.1f}, radius {:.1f}", name, ball->centre.x, ball->centre.y, ball->radius));
   return divided(cut(layout_of(input.layout), {crop_ball(photograph, *ball)}), o.reflectivity);
 }
 
@@ -80,7 +82,7 @@ int run(const Options& o) {
     nlohmann::ordered_json rows = nlohmann::json::array();
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) rows.push_back(a.rotations[i][c][r]);
-    list.push_back({{"file", o.files[i]},
+    list.push_back({{"file", input_name(o.files[i])},
                     {"rotation", rows},
                     {"exposure", json_of(a.exposures[i])},
                     {"correlation", a.correlations[i]}});
@@ -88,12 +90,12 @@ int run(const Options& o) {
     const float turned = turned_by(a.rotations[i], views[i].azimuth - views[0].azimuth);
     if (a.correlations[i] < 0.5f)
       log::warn(fmt::format("{}: fits the first photograph badly (correlation {:.2f}): are the angles right?",
-                            o.files[i], a.correlations[i]));
+                            input_name(o.files[i]), a.correlations[i]));
     else if (static_cast<double>(turned) > 0.9 * o.search)
       log::warn(
           fmt::format("{}: fits best {:.1f} degrees from where --angles has it, at the end of the search of {:g}: "
                       "are the angles right?",
-                      o.files[i], turned, o.search));
+                      input_name(o.files[i]), turned, o.search));
   }
   if (o.json) fmt::print("{}\n", nlohmann::ordered_json{{"views", list}}.dump(2));
   write_probe(o.outputs, a.probe, Arrangement::single);

@@ -5,6 +5,7 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/log.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/probe/range_check.h"
 
 #include <fmt/format.h>
@@ -27,22 +28,22 @@ struct Options {
 };
 
 std::optional<KnownIrradiance> known(const Options& o) {
-  const Vec3 n(o.normal[0], o.normal[1], o.normal[2]);
-  if (!is_finite(n) || !(length(n) > 0)) throw Error("--normal: expected a direction that is not 0");
+  const Vec3 n = direction_of("--normal", o.normal);
   const auto light = [](const char* flag, const std::vector<float>& numbers) {
     const Rgb c = rgb_of(flag, numbers);
     if (!(min_component(c) > 0)) throw Error(std::string(flag) + ": expected numbers above 0");
     return c;
   };
-  if (!o.irradiance.empty()) return KnownIrradiance{normalize(n), light("--irradiance", o.irradiance)};
+  if (!o.irradiance.empty()) return KnownIrradiance{n, light("--irradiance", o.irradiance)};
   if (o.diffuse.empty()) return std::nullopt;
-  return KnownIrradiance{normalize(n), light("--diffuse-radiance", o.diffuse) * pi / light("--albedo", o.albedo)};
+  return KnownIrradiance{n, light("--diffuse-radiance", o.diffuse) * pi / light("--albedo", o.albedo)};
 }
 
 int run(const Options& o) {
   const auto surface = known(o);
   if (!o.restored.empty() && !surface)
     throw Error("--restored: needs --irradiance or --diffuse-radiance to know what is missing");
+  if (!o.restored.empty()) check_probes({o.restored});
   const FractionSink progress = start_work(o.input.work);
   const ProbeInput input = read_probe(o.input);
   if (progress) progress(0.3);
@@ -63,8 +64,8 @@ int run(const Options& o) {
                              {"suns", wide}}},
                            {"clipped", r.clipped}};
   if (r.clipped)
-    log::warn(fmt::format("{}: clipped: {} texels share the largest value, {}{}", o.input.file, r.plateau_texels,
-                          r.plateau_value, r.at_format_limit ? ", the end of a format's range" : ""));
+    log::warn(fmt::format("{}: clipped: {} texels share the largest value, {}{}", input_name(o.input.file),
+                          r.plateau_texels, r.plateau_value, r.at_format_limit ? ", the end of a format's range" : ""));
   std::optional<Rgb> factor;
   if (surface) {
     factor = missing_factor(input.probe, *surface);

@@ -23,7 +23,7 @@ struct Options {
   std::vector<std::string> outputs;
 };
 
-void add_output(CLI::App& app, Options& o) {
+void add_size_and_outputs(CLI::App& app, Options& o) {
   expect_number(app.add_option("--size", o.size,
                                "Rows of a lat-long map, of a face or of a square map (default: as fine "
                                "as the input)"),
@@ -57,7 +57,7 @@ std::function<int()> add_probe_convert(CLI::App& app) {
   add_layout_options(app, options.to, "--to", "to-", "Layout of the output");
   app.get_option("--to")->required();
   add_rotation_options(app, options.rotation);
-  add_output(app, options);
+  add_size_and_outputs(app, options);
   app.footer("Each texel is the mean of the input over its solid angle.");
   return [] { return run(options, false); };
 }
@@ -66,7 +66,7 @@ std::function<int()> add_probe_rotate(CLI::App& app) {
   static Options options;
   add_probe_input(app, options.input);
   add_rotation_options(app, options.rotation);
-  add_output(app, options);
+  add_size_and_outputs(app, options);
   app.footer("The output has the layout of the input.");
   return [] { return run(options, true); };
 }

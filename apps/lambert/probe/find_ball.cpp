@@ -7,6 +7,7 @@
 #include "../outputs.h"
 
 #include "lambert/base/error.h"
+#include "lambert/base/standard_streams.h"
 #include "lambert/image/io.h"
 
 #include <fmt/format.h>
@@ -30,20 +31,22 @@ struct Options {
 Window window_of(const std::vector<int>& w) { return {w[0], w[1], w[2], w[3]}; }
 
 int run(const Options& o) {
+  const std::string name = input_name(o.file);
   if (o.reflected.empty() != o.direct.empty()) throw Error("--reflected and --direct belong together");
+  check_images(o.outputs);
   const Image image = displayed(read_image(o.file));
   nlohmann::ordered_json j;
   if (!o.direct.empty())
     j["reflectivity"] =
-        named(o.file, [&] { return json_of(ball_reflectivity(image, window_of(o.reflected), window_of(o.direct))); });
+        named(name, [&] { return json_of(ball_reflectivity(image, window_of(o.reflected), window_of(o.direct))); });
   std::optional<BallCircle> ball;
   if (!o.circle.empty())
     ball = BallCircle{{o.circle[0], o.circle[1]}, o.circle[2], 0, 0};
   else
     ball = find_ball(image);
-  if (!ball) throw Error(o.file + ": no ball found; give --circle X,Y,RADIUS in pixels");
+  if (!ball) throw Error(name + ": no ball found; give --circle X,Y,RADIUS in pixels");
   if (!(ball->radius >= 0.5 && ball->radius < 1e5)) throw Error("--circle: expected a radius from 0.5 pixels on");
-  warn_if_cut(o.file, image, *ball);
+  warn_if_cut(name, image, *ball);
   j["centre"] = {ball->centre.x, ball->centre.y};
   j["radius"] = ball->radius;
   if (o.circle.empty()) j["coverage"] = ball->coverage, j["residual"] = ball->residual;

@@ -39,16 +39,15 @@ int run(const Options& o) {
   if (o.outputs.empty() && o.normal.empty()) throw Error("nothing to do: give -o FILE or --normal X,Y,Z");
   if (o.method != "quadrature" && o.method != "sh")
     throw Error("--method: unknown method " + unknown_word(o.method, {"quadrature", "sh"}));
+  const Vec3 n = o.normal.empty() ? Vec3(0) : direction_of("--normal", o.normal);
   check_probes(o.outputs);
   const FractionSink progress = start_work(o.input.work);
   const ProbeInput input = read_probe(o.input);
   if (!o.normal.empty()) {
-    const Vec3 n(o.normal[0], o.normal[1], o.normal[2]);
-    if (!is_finite(n) || !(length(n) > 0)) throw Error("--normal: expected a direction that is not 0");
-    const Rgb e = o.method == "sh" ? sh_radiance(sh_irradiance(sh_project(input.probe, 2)), normalize(n))
-                                   : Irradiance(input.probe)(normalize(n));
+    const Rgb e =
+        o.method == "sh" ? sh_radiance(sh_irradiance(sh_project(input.probe, 2)), n) : Irradiance(input.probe)(n);
     if (o.json)
-      fmt::print("{}\n", nlohmann::ordered_json{{"normal", json_of(normalize(n))}, {"irradiance", json_of(e)}}.dump(2));
+      fmt::print("{}\n", nlohmann::ordered_json{{"normal", json_of(n)}, {"irradiance", json_of(e)}}.dump(2));
     else
       fmt::print("irradiance {} {} {}\n", e.r, e.g, e.b);
   }

@@ -96,6 +96,9 @@ Result cuts(const Options& o, const ProbeInput& input) {
 
 int run(const Options& o) {
   if (o.count > 0 && !o.sky.empty()) throw Error("--sky: median-cut lights leave no sky; leave out --count");
+  if (!o.sky.empty()) check_probes({o.sky});
+  check_texts({o.pbrt});
+  check_texts(o.outputs);
   const FractionSink progress = start_work(o.input.work);
   const ProbeInput input = read_probe(o.input);
   if (progress) progress(0.3);

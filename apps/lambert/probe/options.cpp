@@ -100,14 +100,14 @@ ProbeInput read_probe(const ProbeInputOptions& o) {
   LayoutOptions options = o.layout;
   if (six && options.layout.empty()) options.layout = "faces";
   if (!options.layout.empty() && (layout_of(options).arrangement == Arrangement::files) != six)
-    throw Error(o.file + (six ? ": {} in a name stands for six faces; " + options.layout + " is one picture"
-                              : ": " + options.layout + " are six files: expected a name with {} in it"));
+    throw Error(input_name(o.file) + (six ? ": {} in a name stands for six faces; " + options.layout + " is one picture"
+                                          : ": " + options.layout + " are six files: expected a name with {} in it"));
   std::vector<Image> pictures;
   if (six)
     pictures = read_faces(o.file);
   else
     pictures.push_back(read_finite(o.file));
-  ProbeInput input = named(o.file, [&] {
+  ProbeInput input = named(input_name(o.file), [&] {
     if (options.layout.empty()) options.layout = guess_layout(pictures.front());
     const Layout layout = layout_of(options);
     return ProbeInput{cut(layout, std::move(pictures)), layout.arrangement};
@@ -160,12 +160,22 @@ void write_probe(const std::vector<std::string>& outputs, Probe probe, Arrangeme
       throw Error(output_name(output) + (pictures.size() == 6
                                              ? ": six faces need a name with {} in it"
                                              : ": {} in a name stands for six faces; this layout is one picture"));
-  for (const std::string& output : outputs)
-    for (std::size_t i = 0; i < pictures.size(); ++i) write_images({files_of(output)[i]}, pictures[i]);
+  for (const std::string& output : outputs) {
+    const std::vector<std::string> files = files_of(output);
+    for (std::size_t i = 0; i < pictures.size(); ++i) write_images({files[i]}, pictures[i]);
+  }
 }
 
 nlohmann::ordered_json json_of(Vec3 v) { return {v.x, v.y, v.z}; }
 nlohmann::ordered_json json_of(Rgb c) { return {c.r, c.g, c.b}; }
+
+Vec3 direction_of(const std::string& flag, const std::vector<float>& numbers) {
+  const Vec3 d(numbers[0], numbers[1], numbers[2]);
+  if (!is_finite(d) || !(length(d) > 0))
+    throw Error(
+        fmt::format("{}: expected three finite numbers that are not all 0, got '{}'", flag, fmt::join(numbers, ",")));
+  return normalize(d);
+}
 
 Rgb rgb_of(const std::string& flag, const std::vector<float>& numbers) {
   const bool finite = std::all_of(numbers.begin(), numbers.end(), [](float v) { return std::isfinite(v); });

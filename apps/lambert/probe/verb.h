@@ -75,6 +75,8 @@ void check_probes(const std::vector<std::string>& outputs);
 void write_probe(const std::vector<std::string>& outputs, probe::Probe probe, probe::Arrangement arrangement);
 nlohmann::ordered_json json_of(Vec3 v);
 nlohmann::ordered_json json_of(Rgb c);
+/// Of unit length. Throws Error naming the flag unless the three numbers are finite and not all 0.
+Vec3 direction_of(const std::string& flag, const std::vector<float>& numbers);
 /// Three finite numbers, or one that stands for all three. Throws Error naming the flag.
 Rgb rgb_of(const std::string& flag, const std::vector<float>& numbers);
 

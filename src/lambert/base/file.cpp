@@ -133,7 +133,10 @@ int whole_standard_input() {
   struct stat info {};
   if (::fstat(STDIN_FILENO, &info) == 0 && S_ISREG(info.st_mode) && ::lseek(STDIN_FILENO, 0, SEEK_CUR) == 0)
     return STDIN_FILENO;
-  const fs::path path = temporary_in(fs::temp_directory_path());
+  std::error_code problem;
+  const fs::path folder = fs::temp_directory_path(problem);
+  if (problem) throw Error("standard input: cannot read: no folder for temporary files: " + problem.message());
+  const fs::path path = temporary_in(folder);
   const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (file < 0) fail(path.string(), "cannot write");
   ::unlink(path.c_str());

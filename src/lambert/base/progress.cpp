@@ -3,13 +3,14 @@
 #include "lambert/base/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 
 namespace lambert {
 
 FractionSink part_of(const FractionSink& whole, double begin, double end) {
   if (!whole) return {};
-  return [whole, begin, end](double fraction) { whole(begin + fraction * (end - begin)); };
+  return [whole, begin, end](double fraction) { whole(std::lerp(begin, end, fraction)); };
 }
 
 void parallel_for(std::size_t count, const FractionSink& progress, const std::function<void(std::size_t)>& body) {

@@ -18,7 +18,8 @@ void check(const Revolution& r) {
   if (!(r.sweep > Angle() && r.sweep <= degrees(360)) || !std::isfinite(r.start.radians()))
     throw Error("revolve: expected an angle above 0 and of 360 degrees at most");
   if (const int least = r.sweep == degrees(360) ? 3 : 1; r.steps < least)
-    throw Error("revolve: expected at least " + std::to_string(least) + " steps, got " + std::to_string(r.steps));
+    throw Error("revolve: expected at least " + std::to_string(least) + " steps" +
+                (least > 1 ? " for a full turn" : "") + ", got " + std::to_string(r.steps));
 }
 
 /// Before anything is made: a mesh has this many corners for each point of the chain.

@@ -112,7 +112,7 @@ ImageWriter::ImageWriter(const std::filesystem::path& path, ImageHeader header, 
   try {
     if (writes_exr(path)) {
       state_->file.emplace(path);
-      state_->exr.emplace(state_->file->temporary(), header, options);
+      state_->exr.emplace(state_->file->temporary(), output_name(path), header, options);
     } else {
       state_->whole = image_of(header);
     }

@@ -24,6 +24,7 @@ struct Shown {
 struct Demo {
   const char *name, *summary;
   Shown (*show)(const LabSettings&);
+  bool has_drawing = false;  ///< the picture is a drawing
 };
 
 /// All of them, in the order in which they are best looked at.

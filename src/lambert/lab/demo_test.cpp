@@ -14,6 +14,11 @@
 namespace lambert::lab {
 namespace {
 
+TEST(Demos, SayWhatTheirPictureIs) {
+  for (const Demo& d : demos())
+    EXPECT_EQ(std::holds_alternative<draw::Drawing>(d.show({}).picture), d.has_drawing) << d.name;
+}
+
 TEST(Periodogram, OfOnePointIsFlatAndOfAGridIsPeaks) {
   for (const double p : periodogram(std::vector<Vec2>{{0.3f, 0.7f}}, 5)) EXPECT_NEAR(p, 1, 1e-12);
   const auto grid = periodogram(regular_points(4), 8);

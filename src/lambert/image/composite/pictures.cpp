@@ -2,6 +2,7 @@
 
 #include "lambert/base/error.h"
 #include "lambert/base/file.h"
+#include "lambert/image/formats/codecs.h"
 
 #include <unistd.h>
 #include <algorithm>
@@ -11,11 +12,6 @@
 
 namespace lambert::composite {
 namespace {
-
-bool is_exr(const std::string& file) {
-  constexpr std::string_view magic = "\x76\x2f\x31\x01";
-  return open_input(file).text().starts_with(magic);
-}
 
 std::size_t bytes_of(const ImageHeader& h) {
   return h.row_size() * static_cast<std::size_t>(h.data.height) * sizeof(float);
@@ -71,7 +67,7 @@ Pictures::Entry& Pictures::open(const std::string& file) {
   entry.used = ++clock_;
   if (entry.reader || entry.whole || entry.spool) return entry;
   try {
-    if (is_exr(file)) {
+    if (is_exr(open_input(file).bytes())) {
       entry.reader = std::make_unique<ImageReader>(file);
       entry.header = entry.reader->header();
     } else {

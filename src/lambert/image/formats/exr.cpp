@@ -12,7 +12,7 @@ Image decode_exr(Bytes data, const std::string& name) {
 }
 
 std::vector<std::byte> encode_exr(const Image& image, const WriteOptions& options) {
-  ExrWriter writer({}, header_of(image), options);
+  ExrWriter writer({}, {}, header_of(image), options);
   writer.write(image.pixels());
   return writer.finish();
 }

@@ -162,7 +162,8 @@ void ExrWriter::State::write(std::span<const float> rows) {
   file->writePixels(static_cast<int>(height));
 }
 
-ExrWriter::ExrWriter(const std::filesystem::path& path, const ImageHeader& header, const WriteOptions& options)
+ExrWriter::ExrWriter(const std::filesystem::path& path, const std::string& name, const ImageHeader& header,
+                     const WriteOptions& options)
     : state_(std::make_unique<State>()) {
   const Imf::Header h = header_of(header, options);
   State& s = *state_;
@@ -175,7 +176,7 @@ ExrWriter::ExrWriter(const std::filesystem::path& path, const ImageHeader& heade
   } else {
     s.disk_file.open(path, std::ios::binary);
     if (!s.disk_file) throw Error(std::string("cannot write: ") + std::strerror(errno));
-    s.disk = std::make_unique<Imf::StdOFStream>(s.disk_file, path.c_str());
+    s.disk = std::make_unique<Imf::StdOFStream>(s.disk_file, name.c_str());
     s.file = std::make_unique<Imf::OutputFile>(*s.disk, h, exr_threads());
   }
 }

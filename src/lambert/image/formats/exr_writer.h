@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace lambert {
@@ -12,8 +13,9 @@ namespace lambert {
 /// store.
 class ExrWriter {
  public:
-  /// Into a file, or into memory when `path` is empty.
-  ExrWriter(const std::filesystem::path& path, const ImageHeader& header, const WriteOptions& options);
+  /// Into a file, which errors call `name`, or into memory when `path` is empty.
+  ExrWriter(const std::filesystem::path& path, const std::string& name, const ImageHeader& header,
+            const WriteOptions& options);
   ~ExrWriter();
   ExrWriter(ExrWriter&&) noexcept;
 

@@ -86,14 +86,16 @@ ExposureStack read_stack(const std::vector<std::string>& files, const std::vecto
   for (std::size_t i = 0; i < files.size(); ++i) {
     const Texels& t = texels[i];
     if (t.width != stack.width || t.height != stack.height)
-      throw Error(files[i] + ": is " + size_text(t) + " pixels, but " + files[0] + " is " + size_text(texels[0]));
+      throw Error(input_name(files[i]) + ": is " + size_text(t) + " pixels, but " + input_name(files[0]) + " is " +
+                  size_text(texels[0]));
     if (colours(t.channels) != stack.channels)
-      throw Error(files[i] + ": is " + (stack.channels == 1 ? "in colour" : "grey") + ", but " + files[0] + " is not");
+      throw Error(input_name(files[i]) + ": is " + (stack.channels == 1 ? "in colour" : "grey") + ", but " +
+                  input_name(files[0]) + " is not");
   }
   stack.frames.resize(files.size());
   parallel_for(files.size(), [&](std::size_t i) {
     stack.frames[i] = {
-        .name = files[i], .exposure = exposures[i], .codes = codes_of(std::move(texels[i]), sixteen_bits)};
+        .name = input_name(files[i]), .exposure = exposures[i], .codes = codes_of(std::move(texels[i]), sixteen_bits)};
   });
   return stack;
 }

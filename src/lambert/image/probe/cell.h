@@ -27,12 +27,18 @@ DiskReach disk_reach(const AnyProjection& projection, const Cell& cell);
 CellIntegrals integrals(const AnyProjection& projection, int chart, const Cell& cell);
 
 /// The integrals over a cell of a lat-long map are products of what its rows give and what its columns give.
+/// Of a row from one polar angle θ (from +y, radians) to another, per radian of longitude.
 struct LatLongRow {
-  double solid_angle, across, along;
+  double solid_angle;  ///< ∫ sin θ dθ
+  double across;       ///< ∫ sin² θ dθ: what the row gives to the moment's x and z
+  double along;        ///< ∫ sin θ cos θ dθ: to its y
 };
+/// Of a column from one longitude φ to another.
 struct LatLongColumn {
-  double width, x, z;
+  double width;  ///< ∫ dφ, radians
+  double x, z;   ///< ∫ d_x dφ and ∫ d_z dφ of the unit directions d on the horizon
 };
+/// Of the cell's v0 to v1, and of its u0 to u1.
 LatLongRow lat_long_row(const Cell& cell);
 LatLongColumn lat_long_column(const LatLong& map, const Cell& cell);
 inline CellIntegrals integrals(const LatLongRow& row, const LatLongColumn& column) {

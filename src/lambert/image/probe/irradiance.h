@@ -12,7 +12,7 @@ namespace lambert::probe {
 /// wholly give n · moment, which is exact; blocks on its horizon are split. Texels that are wide (coarse maps, the rim
 /// of a ball) are cut, and radiance in them is linear (linear_radiance.h). Of maps above 2^19 texels the leaves are
 /// blocks. A constant environment is right to 1e-4 in every layout and size, L = a + b·d and lobes up to cos³ in every
-/// layout of 64 rows or more too, where texels are means over what they show. Values must be finite.
+/// layout of 64 rows or more (balls: 128) too, where texels are means over what they show. Values must be finite.
 class Irradiance {
  public:
   explicit Irradiance(const Probe& probe);
