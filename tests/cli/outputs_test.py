@@ -43,6 +43,16 @@ class Outputs(CommandLineTest):
                 self.assertEqual(done.stdout, "")
                 self.assertEqual(self.files(), before)
 
+    def test_polygon(self):
+        (self.folder / "p.wkt").write_text("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))")
+        before = self.files()
+        for words in ("union p.wkt -o u.wkt -o nodir/u.wkt", "extrude p.wkt -o e.obj -o nodir/e.obj",
+                      "area p.wkt -o u.json --svg nodir/a.svg", "triangulate p.wkt -o e.obj -o nodir/t.wkt"):
+            with self.subTest(words):
+                done = self.lambert("polygon", *words.split(), status=1)
+                self.assertIn("there is no folder", done.stderr)
+                self.assertEqual(self.files(), before)
+
     def test_compare(self):
         for bad in ("--heat", "--difference"):
             good = "--difference" if bad == "--heat" else "--heat"

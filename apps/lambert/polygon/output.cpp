@@ -49,6 +49,12 @@ void write_pictures(const std::vector<std::string>& paths, const Picture& pictur
   }
 }
 
+/// Before the first of them is written.
+void check_all_writable(const PolygonOptions& o) {
+  check_texts(o.outputs);
+  check_texts({o.svg, o.png});
+}
+
 void add_pictures(CLI::App& app, PolygonOptions& o) {
   add_output(app, "--svg", o.svg, "Draw what happened");
   add_output(app, "--png", o.png, "The same as pixels");
@@ -75,6 +81,7 @@ void check_geometry_outputs(const PolygonOptions& o) {
   for (const std::string& path : other_outputs(o, pictures))
     if (path != "-" && std::ranges::find(o.meshes, format_extension(path)) == o.meshes.end())
       output_format(path, others);
+  check_all_writable(o);
 }
 
 void write_geometry(const PolygonOptions& o, FileFormat like, const Features& result, const Picture& picture) {
@@ -104,6 +111,7 @@ void write_facts(const PolygonOptions& o, const nlohmann::ordered_json& facts, c
   for (const std::string& path : files)
     if (path != "-" && format_extension(path) != ".json")
       throw Error(path + ": unknown extension " + unknown_word(format_extension(path), {".json", ".svg", ".png"}));
+  check_all_writable(o);
   for (const std::string& path : files) write_atomically(path, dumped());
   write_pictures(pictures, picture, o.svg);
   fmt::print("{}", o.json ? dumped() : text);

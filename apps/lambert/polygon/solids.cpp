@@ -52,6 +52,7 @@ int write_solid(PolygonOptions o, const TriangleMesh& mesh) {
     if (std::ranges::find(known, extension) == known.end())
       throw Error(path + ": unknown extension " + unknown_word(extension, known));
   }
+  check_texts(o.outputs);
   write_meshes(o, [&] { return mesh; });
   return done;
 }
